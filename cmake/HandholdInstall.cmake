@@ -1,0 +1,22 @@
+# Installs the headers and a package that other CMake projects find with find_package(handhold [COMPONENTS realtime]).
+include(CMakePackageConfigHelpers)
+set(config_dir "${CMAKE_INSTALL_LIBDIR}/cmake/handhold")
+
+include(PrivateHeaders)
+foreach(folder IN ITEMS cases realtime reference compare reports)
+  file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}" "${PROJECT_SOURCE_DIR}/${folder}/*.hpp")
+  list(FILTER headers EXCLUDE REGEX "${private_headers}")
+  foreach(header IN LISTS headers)
+    cmake_path(GET header PARENT_PATH below)
+    install(FILES "${PROJECT_SOURCE_DIR}/${header}" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/handhold/${below}")
+  endforeach()
+endforeach()
+
+configure_package_config_file(
+  "${CMAKE_CURRENT_LIST_DIR}/handholdConfig.cmake.in" "${PROJECT_BINARY_DIR}/handholdConfig.cmake"
+  INSTALL_DESTINATION "${config_dir}")
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/handholdConfigVersion.cmake"
+  COMPATIBILITY SameMinorVersion)
+install(EXPORT handholdTargets NAMESPACE handhold:: DESTINATION "${config_dir}")
+install(FILES "${PROJECT_BINARY_DIR}/handholdConfig.cmake"
+              "${PROJECT_BINARY_DIR}/handholdConfigVersion.cmake" DESTINATION "${config_dir}")

@@ -1,0 +1,37 @@
+# handhold_module(<name> SOURCES <file>... [PUBLIC <target>...] [PRIVATE <target>...])
+#
+# Declares the static library handhold::<name>. Headers lie beside the sources and are included from the repository's root
+# ("<folder>/x.hpp"); they install to include/handhold/<folder>/.
+include_guard()
+
+add_library(handhold_flags INTERFACE)
+target_compile_options(handhold_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion -Wshadow -Wnon-virtual-dtor
+  -ffp-contract=off)  # the same bits whether or not the machine has FMA
+
+function(handhold_module name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;PUBLIC;PRIVATE")
+  add_library(handhold_${name} STATIC ${arg_SOURCES})
+  add_library(handhold::${name} ALIAS handhold_${name})
+  set_target_properties(handhold_${name} PROPERTIES EXPORT_NAME ${name})
+  target_compile_features(handhold_${name} PUBLIC cxx_std_20)
+  target_include_directories(handhold_${name} PUBLIC
+    "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>"
+    "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR};${CMAKE_INSTALL_INCLUDEDIR}/handhold>")
+  target_link_libraries(handhold_${name}
+    PUBLIC ${arg_PUBLIC}
+    PRIVATE ${arg_PRIVATE} "$<BUILD_INTERFACE:handhold_flags>")
+  install(TARGETS handhold_${name} EXPORT handholdTargets)
+endfunction()
+
+# handhold_isolated(<name> SOURCES <file>... LINK <target>... OPTIONS <flag>...)
+#
+# An object library for the few files that include a package whose flags or headers must not reach the others (CGAL adds
+# -frounding-math, Simbody fails as C++20). Use as $<TARGET_OBJECTS:handhold_<name>>.
+function(handhold_isolated name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LINK;OPTIONS")
+  add_library(handhold_${name} OBJECT ${arg_SOURCES})
+  target_include_directories(handhold_${name} PRIVATE "${PROJECT_SOURCE_DIR}")
+  target_link_libraries(handhold_${name} PRIVATE ${arg_LINK})
+  target_compile_options(handhold_${name} PRIVATE -ffp-contract=off ${arg_OPTIONS})
+endfunction()
