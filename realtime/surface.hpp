@@ -1,0 +1,23 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "cases/geometry/voxel_field.hpp"
+
+namespace handhold::realtime {
+
+/// An anchor: a point of the object's surface with its outward normal, in O.
+struct Anchor {
+  Eigen::Vector3d C_O{Eigen::Vector3d::Zero()};
+  Eigen::Vector3d n_O{Eigen::Vector3d::Zero()};
+};
+
+/// The surface point that `p_O` is over or under, by following the field's gradient twice; false (and `anchor`
+/// untouched) when p is beyond the band.
+[[nodiscard]] bool follow(const VoxelField& field, const Eigen::Vector3d& p_O, Anchor& anchor);
+
+/// Slides an anchor by the tangential `step_O` along the surface. It stays where it is when the step would leave the
+/// band or turn the normal by more than 60 degrees: an occluding part blocks it (Höll et al. 2018, Fig. 3).
+void slide(const VoxelField& field, const Eigen::Vector3d& step_O, Anchor& anchor);
+
+}  // namespace handhold::realtime
