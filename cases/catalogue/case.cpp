@@ -1,0 +1,45 @@
+#include "cases/catalogue/case.hpp"
+
+#include <cmath>
+
+#include "cases/catalogue/families.hpp"
+
+namespace handhold::catalogue {
+
+std::string_view to_string(Pedigree pedigree) {
+  switch (pedigree) {
+    case Pedigree::exact:
+      return "exact";
+    case Pedigree::discrete_exact:
+      return "discrete-exact";
+    case Pedigree::converged:
+      return "converged";
+    case Pedigree::published:
+      return "published";
+    case Pedigree::regression:
+      return "regression";
+  }
+  return "?";
+}
+
+Limit reference_limit() {
+  return {.value = 1e-7, .relative = true, .reason = "error-controlled integration at 1e-10 and located events"};
+}
+
+Limit exact_limit() { return {.value = 0, .reason = "yes or no: nothing to tolerate"}; }
+
+Limit one_frame_limit() { return {.per_frame = 1, .reason = "a change of mode shows at the end of its frame"}; }
+
+Limit euler_bias_limit(double change) {
+  return {
+      .per_substep = 0.51 * std::abs(change),
+      .reason = "semi-implicit Euler is off by half a sub-step times the change of speed (R03), + 2 % for the onset"};
+}
+
+const std::vector<Case>& all_cases() {
+  static const std::vector<Case> cases{incline_case(),       stopping_case(),  pinch_case(),
+                                       pinch_opening_case(), palm_lift_case(), spin_down_case()};
+  return cases;
+}
+
+}  // namespace handhold::catalogue

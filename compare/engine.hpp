@@ -1,0 +1,33 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "cases/recording.hpp"
+#include "cases/scene/scene.hpp"
+
+namespace handhold::compare {
+
+struct EngineOptions {
+  double frame_rate{90};   ///< frames of the recording, and the real-time path's clock [Hz]
+  int substeps{4};         ///< of the real-time path, a frame
+  double accuracy{1e-10};  ///< of the reference's integrator
+};
+
+/// Called now and then with the simulated time [s]; returning false stops the run, which keeps what it has.
+using Progress = std::function<bool(double t)>;
+
+/// Anything that turns a scene into a recording. An adapter is a few lines: see compare/engines.cpp.
+class Engine {
+ public:
+  virtual ~Engine() = default;
+  [[nodiscard]] virtual std::string name() const = 0;
+
+  /// Throws InputError for a scene that the engine cannot express. A run that fails midway is data: see
+  /// Recording::outcome.
+  [[nodiscard]] virtual Recording simulate(const Scene& scene, const EngineOptions& options,
+                                           const Progress& progress = {}) const = 0;
+};
+
+}  // namespace handhold::compare

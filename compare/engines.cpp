@@ -1,0 +1,118 @@
+#include "compare/engines.hpp"
+
+#include <cmath>
+#include <ctime>
+
+#include <fmt/format.h>
+
+#include "cases/error.hpp"
+#include "realtime/world.hpp"
+#ifdef HANDHOLD_REFERENCE
+#include "reference/reference.hpp"
+#endif
+
+namespace handhold::compare {
+namespace {
+
+double thread_seconds() {
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
+}
+
+void sample_hands(const Scene& scene, double t, std::vector<realtime::HandFrame>& hands) {
+  for (std::size_t i = 0; i < hands.size(); ++i) {
+    const HandMotion& motion = *scene.hands[i].motion;
+    hands[i].present = motion.present(t);
+    if (!hands[i].present) continue;
+    for (int p = 0; p < phalanx_count; ++p) hands[i].X_WP[p] = motion.pose(p, t);
+  }
+}
+
+Frame frame_of(const realtime::World& world) {
+  Frame frame{.t = world.time(), .bodies = {world.body().state()}, .energy = world.energy()};
+  for (const realtime::PatchSlot& patch : world.contacts().patches)
+    if (patch.active)
+      for (int i = 0; i < patch.count; ++i) frame.contacts.push_back(world.contact(std::size_t(patch.first + i)));
+  return frame;
+}
+
+class RealtimeEngine : public Engine {
+ public:
+  [[nodiscard]] std::string name() const override { return "realtime"; }
+
+  [[nodiscard]] Recording simulate(const Scene& scene, const EngineOptions& options,
+                                   const Progress& progress) const override {
+    validate(scene);
+    Recording recording{.engine = name(), .scene = scene.name};
+    recording.provenance = {{"frame_rate", fmt::format("{} Hz", options.frame_rate)},
+                            {"substeps", fmt::format("{}", options.substeps)}};
+    for (const Body& body : scene.bodies) recording.body_names.push_back(body.name);
+    realtime::World world(scene, {.substeps = options.substeps});
+    std::vector<realtime::HandFrame> hands(scene.hands.size());
+    const double dt = 1 / options.frame_rate;
+    for (const double before : {-2 * dt, -dt}) {
+      sample_hands(scene, before, hands);
+      world.observe(dt, hands);
+    }
+    sample_hands(scene, 0, hands);
+    world.start(dt, hands);
+    recording.frames.push_back(frame_of(world));
+    const long frames = std::lround(std::ceil(scene.duration * options.frame_rate - 1e-9));
+    for (long k = 1; k <= frames; ++k) {
+      const double t = std::min(double(k) / options.frame_rate, scene.duration);
+      sample_hands(scene, t, hands);
+      const double before = thread_seconds();
+      world.advance(t - world.time(), hands);
+      recording.frame_time.push_back(thread_seconds() - before);
+      recording.frames.push_back(frame_of(world));
+      recording.events.insert(recording.events.end(), world.events().begin(), world.events().end());
+      if (!recording.frames.back().bodies.front().X_WO.p.allFinite()) {
+        recording.outcome = Outcome::diverged;
+        recording.note = fmt::format("body '{}' left the finite numbers at t = {:.4g} s", recording.body_names[0], t);
+        break;
+      }
+      if (progress && !progress(t)) {
+        recording.outcome = Outcome::interrupted;
+        recording.note = fmt::format("stopped at t = {:.4g} s of {:.4g} s", t, scene.duration);
+        break;
+      }
+    }
+    if (world.unconverged() > 0) recording.provenance["unconverged_substeps"] = fmt::format("{}", world.unconverged());
+    return recording;
+  }
+};
+
+#ifdef HANDHOLD_REFERENCE
+class ReferenceEngine : public Engine {
+ public:
+  [[nodiscard]] std::string name() const override { return "reference"; }
+
+  [[nodiscard]] Recording simulate(const Scene& scene, const EngineOptions& options,
+                                   const Progress& progress) const override {
+    return reference::simulate(scene, {.accuracy = options.accuracy, .frame_rate = options.frame_rate}, progress);
+  }
+};
+#endif
+
+}  // namespace
+
+std::unique_ptr<Engine> make_engine(const std::string& name) {
+  if (name == "realtime") return std::make_unique<RealtimeEngine>();
+#ifdef HANDHOLD_REFERENCE
+  if (name == "reference") return std::make_unique<ReferenceEngine>();
+#endif
+  std::string known;
+  for (const std::string& engine : engine_names()) known += (known.empty() ? "" : ", ") + engine;
+  throw InputError(fmt::format("engine '{}': no such engine (there are {})", name, known));
+}
+
+std::vector<std::string> engine_names() {
+#ifdef HANDHOLD_REFERENCE
+  return {"reference", "realtime"};
+#else
+  return {"realtime"};
+#endif
+}
+
+}  // namespace handhold::compare

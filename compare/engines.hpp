@@ -1,0 +1,16 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "compare/engine.hpp"
+
+namespace handhold::compare {
+
+/// The engine of that name: "reference" (absent in builds without Simbody) or "realtime"; throws InputError otherwise.
+[[nodiscard]] std::unique_ptr<Engine> make_engine(const std::string& name);
+
+[[nodiscard]] std::vector<std::string> engine_names();
+
+}  // namespace handhold::compare

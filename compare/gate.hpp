@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+
+#include "cases/catalogue/case.hpp"
+
+namespace handhold::compare {
+
+enum class Bound { at_most, at_least };
+
+/// One pass/fail question, with all that is needed to judge the question itself.
+struct Gate {
+  std::string quantity{};  ///< e.g. "slip onset error"
+  double measured{};
+  Bound bound{Bound::at_most};
+  double limit{};
+  std::string unit{};  ///< of both numbers; empty when dimensionless
+  catalogue::Pedigree pedigree{catalogue::Pedigree::exact};
+  std::string reason{};  ///< of the limit
+};
+
+/// False when `measured` or `limit` is NaN.
+[[nodiscard]] bool passes(const Gate& gate) noexcept;
+
+/// True when a gate could be 100 times tighter and still hold: it guards nothing. Never for a limit of zero or a
+/// measured zero (an exact answer is no fault of the gate).
+[[nodiscard]] bool is_vacuous(const Gate& gate) noexcept;
+
+/// "slip distance error 8.3e-03 m > 5.0e-03 m"
+[[nodiscard]] std::string sentence(const Gate& gate);
+
+}  // namespace handhold::compare

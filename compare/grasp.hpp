@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cases/recording.hpp"
+#include "cases/scene/scene.hpp"
+#include "compare/timing.hpp"
+
+namespace handhold::compare {
+
+/// What became of the object once its support let it go.
+enum class Hold { held, slipped, dropped, never_touched };
+
+[[nodiscard]] std::string_view to_string(Hold hold);
+
+/// What a recording of a hand with an object says, in numbers a person asks for.
+struct GraspSummary {
+  std::string engine{};
+  int touches{}, breakaways{}, resticks{}, releases{};  ///< events of samples
+  int phalanges_in_contact{};                           ///< most at one time
+  double slip_distance{};                               ///< longest path of an anchor on the object while slipping [m]
+  double max_depth{};                                   ///< of any sample [m]
+  double drift{};  ///< of the object relative to the hand from release of the support to the end [m]
+  Hold hold{Hold::never_touched};
+  std::optional<double> dropped_at{};  ///< [s]
+  FrameTimes frame{};
+  double energy_unexplained{};  ///< largest |energy book residual| [J]
+};
+
+/// `held`: at the end in contact and drifted less than 2 mm plus the elastic lag m g / (k n); `slipped`: in contact but
+/// drifted more; `dropped`: out of contact at the end.
+[[nodiscard]] GraspSummary summarize(const Scene& scene, const Recording& recording);
+
+/// How far two recordings of the same scene are apart, at the frames they share.
+struct Difference {
+  double max_translation{}, rms_translation{};  ///< of the body's origin [m]
+  double max_rotation{};                        ///< [rad]
+  double mode_agreement{};    ///< share of (frame, sample) pairs in the same mode, of those present in both
+  double first_divergence{};  ///< first time translation differs by more than 1 mm [s]; NaN: never
+};
+
+[[nodiscard]] Difference difference(const Recording& a, const Recording& b);
+
+}  // namespace handhold::compare
