@@ -1,0 +1,97 @@
+// The rasteriser against CGAL's Side_of_triangle_mesh: the sign of every voxel looked at must agree, off the surface.
+#include <filesystem>
+#include <random>
+#include <vector>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Side_of_triangle_mesh.h>
+#include <CGAL/Surface_mesh.h>
+#include <gtest/gtest.h>
+
+#include "cases/geometry/mesh_import.hpp"
+#include "cases/geometry/shapes.hpp"
+#include "cases/geometry/voxelizer.hpp"
+#include "tests/cases/geometry/brute_force.hpp"
+
+namespace handhold {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
+
+Surface to_surface(const Mesh& mesh) {
+  std::vector<Kernel::Point_3> points;
+  std::vector<std::vector<std::size_t>> faces;
+  for (const auto& v : mesh.vertices) points.emplace_back(v.x(), v.y(), v.z());
+  for (const auto& t : mesh.triangles) faces.push_back({std::size_t(t[0]), std::size_t(t[1]), std::size_t(t[2])});
+  Surface surface;
+  CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, faces, surface);
+  return surface;
+}
+
+// Nodes near the surface, where signs can go wrong, and some anywhere; `most` of each.
+std::vector<Eigen::Vector3i> interesting_nodes(const VoxelField& field, std::size_t most) {
+  const Grid& grid = field.grid();
+  std::vector<Eigen::Vector3i> near, any;
+  for (int k = 0; k < grid.size.z(); ++k) {
+    for (int j = 0; j < grid.size.y(); ++j) {
+      for (int i = 0; i < grid.size.x(); ++i) {
+        const bool close = std::abs(field.data().distance[grid.index(i, j, k)]) < 1.0 * grid.spacing;
+        (close ? near : any).emplace_back(i, j, k);
+      }
+    }
+  }
+  std::mt19937 random(1);
+  std::shuffle(near.begin(), near.end(), random);
+  std::shuffle(any.begin(), any.end(), random);
+  near.resize(std::min(near.size(), most));
+  near.insert(near.end(), any.begin(), any.begin() + static_cast<long>(std::min(any.size(), most / 4)));
+  return near;
+}
+
+void expect_no_voxel_differs(const Mesh& mesh, const VoxelField& field, std::size_t most) {
+  const Surface surface = to_surface(mesh);
+  const CGAL::Side_of_triangle_mesh<Surface, Kernel> side_of(surface);
+  std::size_t differing = 0, on_surface = 0, inside = 0;
+  const auto nodes = interesting_nodes(field, most);
+  for (const Eigen::Vector3i& n : nodes) {
+    const Eigen::Vector3d p = field.grid().node(n.x(), n.y(), n.z());
+    const auto side = side_of(Kernel::Point_3(p.x(), p.y(), p.z()));
+    on_surface += side == CGAL::ON_BOUNDARY;
+    inside += side == CGAL::ON_BOUNDED_SIDE;
+    if (side != CGAL::ON_BOUNDARY) differing += (side == CGAL::ON_BOUNDED_SIDE) != field.occupied(n.x(), n.y(), n.z());
+  }
+  EXPECT_EQ(differing, 0u) << "of " << nodes.size();
+  EXPECT_LT(on_surface, nodes.size() / 2);
+  EXPECT_GT(inside, nodes.size() / 20);
+}
+
+TEST(SideOfMesh, NoVoxelOfAnyShapeDiffers) {
+  for (const ShapeKind& kind : shape_kinds()) {
+    for (const bool askew : {false, true}) {
+      SCOPED_TRACE(kind.name + (askew ? " askew" : " aligned"));
+      const Mesh mesh = askew ? brute::turned(make_shape(kind.name)) : make_shape(kind.name);
+      VoxelOptions options;
+      options.voxel_size = brute::bounds(mesh).sizes().maxCoeff() / 64;
+      options.band = 2 * options.voxel_size;
+      expect_no_voxel_differs(mesh, *voxelize(mesh, options), 3000);
+    }
+  }
+}
+
+TEST(SideOfMesh, NoVoxelOfRealMeshesDiffers) {
+  const std::filesystem::path folder = HANDHOLD_SHARED_DATA "/meshes";
+  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no folder of real meshes at " << folder;
+  for (const char* name : {"mug_grab", "hammer_grab", "toruslarge_grab", "bunny_grab_13cm", "axe_2handed"}) {
+    SCOPED_TRACE(name);
+    const ImportedMesh imported = import_mesh(folder / (std::string(name) + ".obj"));
+    VoxelOptions options;
+    options.voxel_size = brute::bounds(imported.mesh).sizes().maxCoeff() / 128;
+    options.band = 2 * options.voxel_size;
+    expect_no_voxel_differs(imported.mesh, *voxelize(imported.mesh, options), 16000);
+  }
+}
+
+}  // namespace
+}  // namespace handhold
