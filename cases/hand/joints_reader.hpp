@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "cases/hand/trace.hpp"
+
+namespace handhold {
+
+/// Joints of tracked hands as plain JSON: what a few lines around an OpenXR or WebXR frame loop write.
+///
+///     {"format": "openxr",           "openxr" (26 joints), "webxr" (25), "mano" (21) or "leap" (22)
+///      "unit": "m", "up": "y",       m, cm or mm; x, y or z; these are the defaults
+///      "frames": [
+///        {"t": 0.011,                seconds, increasing
+///         "hands": {"right": {"confidence": 0.9,
+///                             "joints": [{"name": "wrist", "position": [0, 1, 0], "orientation": [0, 0, 0, 1],
+///                                         "radius": 0.02}, null, ...]},
+///                   "left": null}}]}
+///
+/// Joints come in the order of the specification, or named, in any order. `orientation` (x, y, z, w; -z towards the
+/// fingertip and y dorsal) and `radius` may be absent; a null joint or hand is an untracked one. `path` starts every
+/// error.
+[[nodiscard]] Trace read_joints(std::string_view text, const std::string& path);
+
+}  // namespace handhold

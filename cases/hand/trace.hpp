@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "cases/hand/hand_model.hpp"
+#include "cases/pose.hpp"
+
+namespace handhold {
+
+/// One hand at one time stamp.
+struct HandSample {
+  std::array<Pose, phalanx_count> X_WP{};  ///< of every phalanx, frames as in hand_model.hpp; meaningless when lost
+  double confidence{};                     ///< the tracker's own, 0 to 1
+  bool tracked{false};
+};
+
+struct TraceHand {
+  Side side{Side::right};
+  HandModel model{};
+  std::vector<HandSample> samples{};  ///< one per time stamp of the trace
+};
+
+/// A recording of tracked hands: what both engines are driven by.
+///
+/// Always SI, right-handed, world z up: readers convert and keep what the file said in `source_frame`.
+struct Trace {
+  std::string name{};
+  std::string source_frame{};  ///< e.g. "mm, y up, right-handed"
+  std::vector<double> t{};     ///< strictly increasing [s]
+  std::vector<TraceHand> hands{};
+  std::vector<std::string> warnings{};  ///< what a reader dropped or repaired, one sentence each
+};
+
+/// Throws InputError unless time is finite and strictly increasing, every hand has one sample a stamp, and every
+/// tracked pose is finite with a unit quaternion (within 1e-6).
+void validate(const Trace& trace);
+
+}  // namespace handhold
