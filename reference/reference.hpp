@@ -1,0 +1,30 @@
+#pragma once
+
+#include <functional>
+
+#include "cases/recording.hpp"
+#include "cases/scene/scene.hpp"
+
+namespace handhold::reference {
+
+struct Options {
+  double accuracy{1e-10};       ///< local error of the integrator a step [m, rad, m/s, J, absolute], 1e-13 to 1e-3
+  double max_step{1e-3};        ///< longest step; a pair of events inside one step would be missed [s], > 0
+  double frame_rate{90};        ///< of the recording [Hz], > 0
+  long step_limit{20'000'000};  ///< accepted steps, after which the run counts as stalled, > 0
+};
+
+/// Throws InputError for an option out of range.
+void validate(const Options& options);
+
+/// Simulates a scene with the contact element of docs/contact-law.md in continuous time: high-order adaptive
+/// integration (Simbody, Runge-Kutta-Merson), every change of mode located to within 1e-9 s or better, on the C2 spline
+/// of the voxel distance. One body, any number of hands.
+///
+/// `progress` is called at every frame and now and then between; returning false stops the run (Outcome::interrupted).
+/// Throws InputError for a scene that cannot be simulated, std::logic_error when an invariant of the contact law breaks
+/// (our bug). Everything else that goes wrong is data: Outcome::stalled with a note. Deterministic, reentrant.
+[[nodiscard]] Recording simulate(const Scene& scene, const Options& options,
+                                 const std::function<bool(double t)>& progress = {});
+
+}  // namespace handhold::reference

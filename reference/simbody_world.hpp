@@ -1,0 +1,15 @@
+#pragma once
+
+#include <functional>
+
+#include "cases/recording.hpp"
+#include "cases/scene/scene.hpp"
+#include "reference/reference.hpp"
+
+namespace handhold::reference::simbody {
+
+/// The border to Simbody: reference::simulate after all input has been validated (Simbody aborts on some bad input).
+[[nodiscard]] Recording simulate(const Scene& scene, const Options& options,
+                                 const std::function<bool(double t)>& progress);
+
+}  // namespace handhold::reference::simbody
