@@ -1,5 +1,6 @@
 #include "compare/gate.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -11,9 +12,10 @@ bool passes(const Gate& gate) noexcept {
 }
 
 bool is_vacuous(const Gate& gate) noexcept {
-  if (!passes(gate) || gate.measured == 0 || gate.limit == 0) return false;
-  const double slack = gate.bound == Bound::at_most ? gate.limit / gate.measured : gate.measured / gate.limit;
-  return slack > 100;
+  constexpr double slack = 100;
+  if (!passes(gate) || gate.limit == 0) return false;
+  if (gate.bound == Bound::at_least) return gate.measured > slack * gate.limit;
+  return gate.limit > slack * std::max(gate.measured, gate.resolution);
 }
 
 std::string sentence(const Gate& gate) {

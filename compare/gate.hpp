@@ -17,6 +17,7 @@ struct Gate {
   std::string unit{};  ///< of both numbers; empty when dimensionless
   catalogue::Pedigree pedigree{catalogue::Pedigree::exact};
   std::string reason{};  ///< of the limit
+  double resolution{};   ///< smallest error that means anything: an integrator's accuracy, a sub-step; same unit
 };
 
 /// False when `measured` or `limit` is NaN.

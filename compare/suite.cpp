@@ -34,7 +34,8 @@ Judgement judge(const Expectation& expectation, const Limit& limit, double limit
             .limit = limit_value,
             .unit = limit.relative ? "" : expectation.unit,
             .pedigree = expectation.pedigree,
-            .reason = limit.reason};
+            .reason = limit.reason,
+            .resolution = limit.resolution};
   return j;
 }
 
@@ -98,7 +99,8 @@ void study_orders(const Engine& realtime, const Scene& scene, const SuiteOptions
                   .measured = std::abs(study.order.slope - 1),
                   .limit = order_band,
                   .pedigree = finding.expectation.pedigree,
-                  .reason = "a fully implicit first-order step: halving it halves the error"};
+                  .reason = "a fully implicit first-order step: halving it halves the error",
+                  .resolution = 0.01};
   }
 }
 

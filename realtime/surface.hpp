@@ -12,9 +12,9 @@ struct Anchor {
   Eigen::Vector3d n_O{Eigen::Vector3d::Zero()};
 };
 
-/// The surface point that `p_O` is over or under, by following the field's gradient twice; false (and `anchor`
-/// untouched) when p is beyond the band.
-[[nodiscard]] bool follow(const VoxelField& field, const Eigen::Vector3d& p_O, Anchor& anchor);
+/// The surface point nearest to `p_O`: along the field's gradient from outside, exactly (triangles) from inside, where the nearest
+/// sheet is not the one that the gradient of a thin wall points to. False (and `anchor` untouched) when p is beyond the band.
+[[nodiscard]] bool foot(const VoxelField& field, const Eigen::Vector3d& p_O, Anchor& anchor);
 
 /// Slides an anchor by the tangential `step_O` along the surface. It stays where it is when the step would leave the
 /// band or turn the normal by more than 60 degrees: an occluding part blocks it (Höll et al. 2018, Fig. 3).

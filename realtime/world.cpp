@@ -64,7 +64,7 @@ void World::start(double dt, const std::vector<HandFrame>& hands) {
       const SampleStart begin = given->start.empty() ? SampleStart{} : given->start[i];
       const Eigen::Vector3d p_O = body_.X_WO.inverse() * (hand.X_WP[patch.phalanx] * contacts_.p_P[slot]);
       Anchor anchor;
-      contacts_.near[slot] = follow(*scene_.bodies.front().field, p_O - body_.X_WO.R.conjugate() * begin.lag_W, anchor);
+      contacts_.near[slot] = foot(*scene_.bodies.front().field, p_O - body_.X_WO.R.conjugate() * begin.lag_W, anchor);
       if (!contacts_.near[slot]) continue;
       contacts_.C_O.set(slot, anchor.C_O);
       contacts_.n_O.set(slot, anchor.n_O);
@@ -148,13 +148,14 @@ void World::scatter(double h) {
     for (int i = 0; i < patch.count; ++i) {
       const std::size_t slot = std::size_t(patch.first + i);
       if (gone) {
+        if (contacts_.mode[slot] != Mode::apart) dissipated_ += stored(slot);
         set_mode(slot, Mode::apart, h);
         contacts_.near[slot] = false;
       } else if (contacts_.mode[slot] == Mode::apart) {
         const Eigen::Vector3d p_O =
             body_.X_WO.inverse() * (next_[patch.hand].X_WP[patch.phalanx] * contacts_.p_P[slot]);
         Anchor anchor;
-        contacts_.near[slot] = follow(*scene_.bodies.front().field, p_O, anchor);
+        contacts_.near[slot] = foot(*scene_.bodies.front().field, p_O, anchor);
         if (!contacts_.near[slot]) continue;
         contacts_.C_O.set(slot, anchor.C_O);
         contacts_.n_O.set(slot, anchor.n_O);
@@ -168,16 +169,21 @@ void World::scatter(double h) {
 void World::update_anchor(std::size_t slot, const StepSample& s, double h) {
   contacts_.f_W.set(slot, s.f);
   const PatchSlot& patch = contacts_.patches[patch_of_slot_[slot]];
-  if (s.trial.N <= 0) return set_mode(slot, Mode::apart, h);
+  if (s.trial.N <= 0) {
+    if (contacts_.mode[slot] != Mode::apart) dissipated_ += stored(slot);  // a spring that lets go keeps nothing
+    return set_mode(slot, Mode::apart, h);
+  }
   const double mu_d = scene_.bodies.front().friction.mu_dynamic;
   const bool slides = s.sliding && s.trial.t_norm > mu_d * s.trial.N;
   const Eigen::Quaterniond R_OW = body_.X_WO.R.conjugate();
   Anchor anchor{contacts_.C_O[slot], contacts_.n_O[slot]};
+  const Eigen::Vector3d before = body_.X_WO.R * contacts_.lag_O[slot];
   Eigen::Vector3d step = Eigen::Vector3d::Zero();  // of the anchor, as far as the surface let it
+  Eigen::Vector3d stretch = s.trial.v_t;           // rate of the lag
   if (slides) {
-    const Eigen::Vector3d before = body_.X_WO.R * contacts_.lag_O[slot];
-    const Eigen::Vector3d wanted = s.trial.lag - lag_after_sliding(s.element, s.tangent, before);
-    slide(*scene_.bodies.front().field, R_OW * wanted, anchor);
+    const Eigen::Vector3d lag = lag_after_sliding(s.element, s.tangent, before);
+    slide(*scene_.bodies.front().field, R_OW * (s.trial.lag - lag), anchor);
+    stretch = (lag - before) / h;
     step = body_.X_WO.R * (anchor.C_O - contacts_.C_O[slot]);
     contacts_.C_O.set(slot, anchor.C_O);
     contacts_.n_O.set(slot, anchor.n_O);
@@ -189,7 +195,6 @@ void World::update_anchor(std::size_t slot, const StepSample& s, double h) {
   const Eigen::Vector3d v_C = velocity_.head<3>() + velocity_.tail<3>().cross(s.arm);
   const Eigen::Vector3d v = s.element.v_p - v_C;
   const double closing = -v.dot(s.element.n);
-  const Eigen::Vector3d stretch = s.trial.v_t - step / h;  // rate of the lag
   hand_work_ += h * s.f.dot(s.element.v_p);
   dissipated_ += s.tangent.dot(step) + h * s.element.damping * (closing * closing + stretch.squaredNorm());
   set_mode(slot, slides ? Mode::slip : Mode::stick, h);
@@ -251,7 +256,7 @@ void World::seed(PatchSlot& patch, const Pose& X_OP, const Nearest& place) {
     contacts_.mode[slot] = Mode::apart;
     const Eigen::Vector3d p_O = X_OP * points.p_P[i];
     Anchor anchor;
-    contacts_.near[slot] = follow(*scene_.bodies.front().field, p_O, anchor);
+    contacts_.near[slot] = foot(*scene_.bodies.front().field, p_O, anchor);
     contacts_.C_O.set(slot, anchor.C_O);
     contacts_.n_O.set(slot, anchor.n_O);
     contacts_.depth[slot] = -(p_O - anchor.C_O).dot(anchor.n_O);
@@ -281,14 +286,18 @@ ContactState World::contact(std::size_t slot) const {
   return state;
 }
 
+/// Energy in the springs of a sample in contact.
+double World::stored(std::size_t slot) const {
+  const double depth = contacts_.depth[slot];
+  return 0.5 * scene_.contact.stiffness * (depth * depth + contacts_.lag_O[slot].squaredNorm());
+}
+
 Energy World::energy() const {
   Energy e;
   e.kinetic = 0.5 * body_.mass * body_.v.squaredNorm() + 0.5 * body_.w.dot(body_.inertia_W() * body_.w);
   e.potential = body_.mass * (-scene_.gravity.dot(body_.center_W()) - start_height_);
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
-    if (contacts_.mode[i] == Mode::apart) continue;
-    e.elastic +=
-        0.5 * scene_.contact.stiffness * (contacts_.depth[i] * contacts_.depth[i] + contacts_.lag_O[i].squaredNorm());
+    if (contacts_.mode[i] != Mode::apart) e.elastic += stored(i);
   }
   e.dissipated = dissipated_;
   e.hand_work = hand_work_;

@@ -57,6 +57,7 @@ class World {
   void gather(double h);
   void scatter(double h);
   void update_anchor(std::size_t slot, const StepSample& sample, double h);
+  [[nodiscard]] double stored(std::size_t slot) const;
   void set_mode(std::size_t slot, Mode mode, double h);
 
   const Scene scene_;

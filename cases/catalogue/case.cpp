@@ -22,13 +22,20 @@ std::string_view to_string(Pedigree pedigree) {
   return "?";
 }
 
-Limit reference_limit() {
-  return {.value = 1e-7, .relative = true, .reason = "error-controlled integration at 1e-10 and located events"};
+Limit reference_limit() { return reference_limit(1, ""); }
+
+Limit reference_limit(double magnified, const std::string& why) {
+  return {.value = 1e-9 * magnified,
+          .relative = true,
+          .reason = "ten times the integrator's accuracy of 1e-10" + (why.empty() ? why : "; " + why),
+          .resolution = 1e-10};
 }
 
 Limit exact_limit() { return {.value = 0, .reason = "yes or no: nothing to tolerate"}; }
 
-Limit one_frame_limit() { return {.per_frame = 1, .reason = "a change of mode shows at the end of its frame"}; }
+Limit one_frame_limit() {
+  return {.per_frame = 1, .reason = "a change of mode shows at the end of its frame", .resolution = 1e-3};
+}
 
 Limit euler_bias_limit(double change) {
   return {

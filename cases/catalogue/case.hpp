@@ -47,6 +47,7 @@ struct Limit {
   double per_frame{};  ///< times the frame [unit/s]
   bool relative{false};
   std::string reason{};  ///< why this much: a formula, not a wish
+  double resolution{};   ///< smallest error that means anything, in the limit's unit; what is below it is luck
 };
 
 /// The limit for an engine that steps by `substep` and shows frames of `frame` seconds.

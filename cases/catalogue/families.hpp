@@ -15,8 +15,12 @@ namespace handhold::catalogue {
 
 // Limits shared by the cases.
 
-/// The reference is error controlled at 1e-10 or tighter: what remains is far below 1e-7 of the truth.
+/// The reference integrates to 1e-10 a step, of its largest state, and locates events to 1e-9 s or better: ten times that much of
+/// the truth is allowed where nothing magnifies it.
 [[nodiscard]] Limit reference_limit();
+
+/// The same where the truth hangs on a slow crossing or a small difference: `magnified` times as much, and why.
+[[nodiscard]] Limit reference_limit(double magnified, const std::string& why);
 
 /// Yes or no: nothing to tolerate.
 [[nodiscard]] Limit exact_limit();

@@ -1,0 +1,183 @@
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "cases/error.hpp"
+#include "compare/convergence.hpp"
+#include "compare/engines.hpp"
+#include "compare/gate.hpp"
+#include "compare/grasp.hpp"
+#include "compare/measure.hpp"
+#include "compare/suite.hpp"
+#include "compare/timing.hpp"
+
+namespace handhold::compare {
+namespace {
+
+using catalogue::Measure;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+TEST(ObservedOrder, IsTwoForAnErrorThatFallsAsDtSquared) {
+  const std::vector<double> dt{1e-2, 5e-3, 2.5e-3, 1.25e-3};
+  std::vector<double> error;
+  for (const double h : dt) error.push_back(3 * h * h);
+  const auto [slope, standard_error] = observed_order(dt, error);
+  EXPECT_NEAR(slope, 2, 1e-12);
+  EXPECT_NEAR(standard_error, 0, 1e-12);
+}
+
+TEST(ObservedOrder, IsNanWhereThereIsNoOrder) {
+  EXPECT_TRUE(std::isnan(observed_order({1, 2}, {1, 2}).slope));
+  EXPECT_TRUE(std::isnan(observed_order({1, 2, 3}, {1, 0, 3}).slope));
+  EXPECT_TRUE(std::isnan(observed_order({1, 2, 3}, {1, nan, 3}).slope));
+}
+
+TEST(Gate, FailsOnNan) {
+  EXPECT_FALSE(passes({.quantity = "x", .measured = nan, .limit = 1}));
+  EXPECT_FALSE(passes({.quantity = "x", .measured = 1, .limit = nan}));
+}
+
+TEST(Gate, SaysWhyItFailed) {
+  const Gate gate{.quantity = "slip distance error", .measured = 8.3e-3, .limit = 5e-3, .unit = "m"};
+  EXPECT_EQ(sentence(gate), "slip distance error 0.0083 m > 0.005 m");
+}
+
+TEST(Gate, IsVacuousWhenItCouldBeAHundredTimesTighter) {
+  EXPECT_TRUE(is_vacuous({.quantity = "x", .measured = 1e-5, .limit = 2e-3}));
+  EXPECT_FALSE(is_vacuous({.quantity = "x", .measured = 1e-4, .limit = 2e-3}));
+  EXPECT_FALSE(is_vacuous({.quantity = "x", .measured = 0, .limit = 0}));
+  EXPECT_FALSE(is_vacuous({.quantity = "x", .measured = 1e-5, .limit = 2e-3, .resolution = 1e-4}));  // luck, not slack
+  EXPECT_FALSE(is_vacuous({.quantity = "x", .measured = 3e-3, .limit = 2e-3}));  // failed, not idle
+}
+
+TEST(FrameTimes, ArePercentilesOfTheSortedTimes) {
+  std::vector<double> times;
+  for (int i = 100; i >= 0; --i) times.push_back(i);
+  const FrameTimes t = frame_times(times);
+  EXPECT_DOUBLE_EQ(t.p50, 50);
+  EXPECT_DOUBLE_EQ(t.p99, 99);
+  EXPECT_DOUBLE_EQ(t.max, 100);
+  EXPECT_EQ(frame_times({}).frames, 0U);
+}
+
+/// A body thrown up at 2 m/s², recorded every 0.1 s, no hand: measures have exact answers.
+Recording thrown() {
+  Recording r;
+  for (int i = 0; i <= 10; ++i) {
+    const double t = 0.1 * i;
+    Frame f{.t = t, .bodies = {BodyState{}}};
+    f.bodies[0].X_WO.p.x() = t * t;
+    f.bodies[0].V_WO.v.x() = 2 * t;
+    f.bodies[0].X_WO.R = Eigen::AngleAxisd(8 * t, Eigen::Vector3d::UnitX());  // more than a turn in all
+    r.frames.push_back(f);
+  }
+  Event event{.t = 0.25, .kind = EventKind::restick};
+  event.body.X_WO.p.x() = 0.0625;
+  event.body.X_WO.R = Eigen::AngleAxisd(2.0, Eigen::Vector3d::UnitX());
+  r.events.push_back(event);
+  return r;
+}
+
+Scene lone_body() {
+  Scene scene;
+  scene.bodies.resize(1);
+  return scene;
+}
+
+TEST(Measure, InterpolatesConstantAccelerationExactly) {
+  const auto at = [](Measure::Kind kind, double t) { return measure(lone_body(), thrown(), {.kind = kind, .at = t}); };
+  EXPECT_NEAR(at(Measure::Kind::displacement, 0.537), 0.537 * 0.537, 1e-15);
+  EXPECT_NEAR(at(Measure::Kind::speed, 0.537), 2 * 0.537, 1e-14);
+  EXPECT_TRUE(std::isnan(at(Measure::Kind::displacement, 1.5)));
+}
+
+TEST(Measure, FindsTimesAndEvents) {
+  const Scene scene = lone_body();
+  EXPECT_NEAR(measure(scene, thrown(), {.kind = Measure::Kind::time_at_displacement, .level = 0.3}), std::sqrt(0.3),
+              1e-14);
+  EXPECT_EQ(measure(scene, thrown(), {.kind = Measure::Kind::event_time, .event = EventKind::restick}), 0.25);
+  EXPECT_TRUE(std::isnan(measure(scene, thrown(), {.kind = Measure::Kind::event_time, .event = EventKind::breakaway})));
+  EXPECT_NEAR(measure(scene, thrown(), {.kind = Measure::Kind::displacement, .event = EventKind::restick}), 0.0625,
+              1e-15);
+  EXPECT_EQ(measure(scene, thrown(), {.kind = Measure::Kind::no_event, .event = EventKind::release}), 1);
+}
+
+TEST(Measure, UnwrapsRotation) {
+  EXPECT_NEAR(measure(lone_body(), thrown(), {.kind = Measure::Kind::rotation, .at = 1.0}), 8, 1e-12);
+  EXPECT_NEAR(measure(lone_body(), thrown(), {.kind = Measure::Kind::rotation, .event = EventKind::restick}), 2, 1e-12);
+}
+
+TEST(Measure, HoldsOnlyBelowItsLevel) {
+  EXPECT_EQ(measure(lone_body(), thrown(), {.kind = Measure::Kind::held, .level = 1.01}), 1);
+  EXPECT_EQ(measure(lone_body(), thrown(), {.kind = Measure::Kind::held, .level = 0.99}), 0);
+}
+
+TEST(Measure, GivesNothingForARunThatDidNotEnd) {
+  Recording broken = thrown();
+  broken.outcome = Outcome::stalled;
+  EXPECT_TRUE(std::isnan(measure(lone_body(), broken, {.kind = Measure::Kind::held, .level = 9})));
+}
+
+TEST(Difference, SeesWhereTwoRecordingsPart) {
+  Recording a = thrown(), b = thrown();
+  b.frames[7].bodies[0].X_WO.p.y() = 0.004;
+  const Difference d = difference(a, b);
+  EXPECT_DOUBLE_EQ(d.max_translation, 0.004);
+  EXPECT_DOUBLE_EQ(d.first_divergence, a.frames[7].t);
+  EXPECT_EQ(difference(a, a).max_translation, 0);
+}
+
+/// An engine that gives back what it is told: lets the suite be judged without physics.
+class Oracle : public Engine {
+ public:
+  explicit Oracle(double slowness) : slowness_(slowness) {}
+  [[nodiscard]] std::string name() const override { return "oracle"; }
+  [[nodiscard]] Recording simulate(const Scene& scene, const EngineOptions& options, const Progress&) const override {
+    Recording r;
+    const double a = 9.81 * (std::sin(0.5) - 0.4 * std::cos(0.5)) * slowness_;  // C01
+    const auto frames = std::lround(scene.duration * options.frame_rate);
+    for (long i = 0; i <= frames; ++i) {
+      Frame f{.t = double(i) / options.frame_rate, .bodies = {BodyState{scene.bodies[0].X_WO, {}}}};
+      f.bodies[0].X_WO.p.x() += 0.5 * a * f.t * f.t;
+      f.bodies[0].V_WO.v.x() = a * f.t;
+      r.frames.push_back(f);
+    }
+    return r;
+  }
+
+ private:
+  double slowness_;
+};
+
+std::size_t failures(const SuiteResult& result) {
+  std::size_t n = 0;
+  for (const Gate* gate : gates(result)) n += !passes(*gate);
+  return n;
+}
+
+TEST(Suite, PassesTheTruthAndFailsWhatIsOffByAThousandth) {
+  // The first run of C01 alone speaks of sliding; the two threshold runs slide as well and so one of them must fail: 2
+  // gates.
+  const SuiteOptions options{.ids = {"C01"}, .study_refinements = {}};
+  EXPECT_EQ(failures(run_suite(Oracle(1), Oracle(1), options)), 2U);
+  EXPECT_EQ(failures(run_suite(Oracle(1.001), Oracle(1), options)),
+            5U);  // and three quantities of the reference at 1e-7
+}
+
+TEST(Suite, NamesTheCasesWhenAskedForAnUnknownOne) {
+  try {
+    (void)run_suite(Oracle(1), Oracle(1), {.ids = {"Z99"}});
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("C01, C03, D01, D02, D13, F01"), std::string::npos) << error.what();
+  }
+}
+
+TEST(Engines, AreFoundByName) {
+  EXPECT_EQ(make_engine("realtime")->name(), "realtime");
+  EXPECT_THROW((void)make_engine("bullet"), InputError);
+}
+
+}  // namespace
+}  // namespace handhold::compare

@@ -1,0 +1,73 @@
+#include "realtime/element.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace handhold::realtime {
+namespace {
+
+const ElementStep pressed{.stiffness = 100,
+                          .damping = 0.5,
+                          .h = 0.002,
+                          .n = Eigen::Vector3d(0.6, 0, 0.8),
+                          .reach = {-0.003, 0.001, -0.001},
+                          .v_p = {0.1, -0.2, 0.05}};
+
+TEST(Element, SplitsTheSpringAlongTheNormalAtTheAnchor) {
+  ElementStep still = pressed;
+  still.v_p.setZero();
+  const Trial r = trial(still, Eigen::Vector3d::Zero());
+  EXPECT_DOUBLE_EQ(r.depth, 0.6 * 0.003 + 0.8 * 0.001);  // d = −(p − C)·n
+  EXPECT_DOUBLE_EQ(r.N, 100 * r.depth);
+  EXPECT_NEAR(r.lag.dot(still.n), 0, 1e-18);
+  EXPECT_NEAR((r.lag - r.depth * still.n - still.reach).norm(), 0, 1e-18);  // eq. 2 and 3: the parts make the whole
+}
+
+TEST(Element, StickingForceIsTheSpringAndDamperTowardsTheHand) {
+  const Trial r = trial(pressed, Eigen::Vector3d::Zero());
+  const ElementForce f = sticking_force(pressed, r);
+  // Without friction's limit the element is a plain spring and damper: f = k (p − C) + c v, toward the hand, into the
+  // object.
+  EXPECT_NEAR((f.f - (100 * pressed.reach + 0.5 * pressed.v_p)).norm(), 0, 1e-15);
+  EXPECT_LT(f.f.dot(pressed.n), 0);
+}
+
+TEST(Element, SlidingForceLiesOnTheKineticCone) {
+  const double mu = 0.1;
+  const Trial r = trial(pressed, Eigen::Vector3d::Zero());
+  const ElementForce f = sliding_force(pressed, r, mu);
+  EXPECT_NEAR(f.tangent.norm(), mu * r.N, 1e-15);
+  EXPECT_NEAR(f.tangent.normalized().dot(r.t.normalized()), 1, 1e-15);
+  EXPECT_NEAR(f.f.dot(pressed.n), -r.N, 1e-15);
+}
+
+TEST(Element, SlidingForceNeverExceedsTheSpring) {
+  const Trial r = trial(pressed, Eigen::Vector3d::Zero());
+  EXPECT_EQ(sliding_force(pressed, r, 50).f, sticking_force(pressed, r).f);
+}
+
+/// The derivative that Newton uses, against central differences of the force itself.
+TEST(Element, SlopesAreTheDerivativesOfTheForces) {
+  const Eigen::Vector3d v{0.02, 0.01, -0.03};
+  const double step = 1e-6;  // difference error ~ step² f''' and rounding 1e-16 / step
+  for (const double mu : {0.1, 50.0}) {
+    const ElementForce at = sliding_force(pressed, trial(pressed, v), mu);
+    for (int i = 0; i < 3; ++i) {
+      const Eigen::Vector3d dv = step * Eigen::Vector3d::Unit(i);
+      const Eigen::Vector3d up = sliding_force(pressed, trial(pressed, v + dv), mu).f;
+      const Eigen::Vector3d down = sliding_force(pressed, trial(pressed, v - dv), mu).f;
+      EXPECT_NEAR(((up - down) / (2 * step) + at.slope.col(i)).norm(), 0, 1e-8) << mu << " " << i;
+    }
+  }
+}
+
+TEST(Element, RadialReturnKeepsForceAndLagConsistent) {
+  const Eigen::Vector3d before{0.0001, 0, 0}, tangent{0.02, 0.01, 0};
+  const Eigen::Vector3d e = lag_after_sliding(pressed, tangent, before);
+  const Eigen::Vector3d again = pressed.stiffness * e + pressed.damping * (e - before) / pressed.h;
+  EXPECT_NEAR((again - tangent).norm(), 0, 1e-16);
+}
+
+}  // namespace
+}  // namespace handhold::realtime
