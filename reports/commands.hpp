@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+/// The subcommands of the program `handhold`. Each function adds one to `app`; its work runs while `app` parses.
+namespace handhold::reports {
+
+enum Exit { exit_good = 0, exit_gate_failed = 1, exit_wrong_input = 2, exit_our_bug = 3 };
+
+/// What a command is given beside its options, and what it hands back.
+struct Invocation {
+  std::string command_line{};  ///< as typed, quoted for a shell
+  int exit_code{exit_good};
+};
+
+void add_list(CLI::App& app, Invocation& invocation);
+void add_suite(CLI::App& app, Invocation& invocation);
+void add_run(CLI::App& app, Invocation& invocation);
+void add_voxelize(CLI::App& app, Invocation& invocation);
+void add_trace(CLI::App& app, Invocation& invocation);
+
+}  // namespace handhold::reports

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "cases/geometry/mesh_import.hpp"
+
+namespace handhold::reports {
+
+/// What a user names as an object: a mesh file, or "shape:<kind>[,<parameter>=<number>...]", e.g.
+/// "shape:mug,height=0.09". `scale` turns the file's units into metres, > 0. Throws InputError.
+[[nodiscard]] ImportedMesh read_object(const std::string& source, double scale);
+
+}  // namespace handhold::reports

@@ -1,0 +1,107 @@
+# Fails when a file includes a folder or a package that it may not see.
+#   cmake -DROOT=<repository> -P check_layering.cmake
+cmake_minimum_required(VERSION 3.25)
+
+cmake_path(ABSOLUTE_PATH ROOT NORMALIZE)
+include("${CMAKE_CURRENT_LIST_DIR}/../cmake/PrivateHeaders.cmake")
+
+# Which folders a file may include from. The engines see no judge, the judge sees no engine, and the engines not each other.
+function(folders_seen_by file out)
+  set(seen_by_cases     cases)
+  set(seen_by_realtime  cases realtime)
+  set(seen_by_reference cases reference)
+  set(seen_by_compare   cases compare)
+  set(seen_by_reports   cases compare reports)
+  string(REGEX MATCH "^[a-z]+" folder "${file}")
+  set(seen ${seen_by_${folder}})
+  if(file MATCHES "^compare/engines\\.cpp$")  # the adapters
+    list(APPEND seen realtime reference)
+  elseif(file MATCHES "^reports/(handhold|command_[a-z_]+)\\.[ch]pp$")  # the command line
+    list(APPEND seen realtime reference)
+  endif()
+  set(${out} "${seen}" PARENT_SCOPE)
+endfunction()
+
+# What realtime may take from cases: what handhold::shared provides, so that it links with Eigen alone.
+set(shared_headers "^cases/([a-z_]+|geometry/(mesh|mass_properties|voxel_field)|hand/(hand_model|hand_motion|patch|trace)|scene/(friction|scene))\\.hpp$")
+
+# A package's slow, viral or licence-bearing headers stay in few files: "<regex of the include>|<regex of the files that may>".
+set(packages
+  "Simbody|SimTK|simbody"  "^(tests/)?reference/simbody_[a-z_]+\\.[ch]pp$"
+  "CGAL/"                  "^(cases/geometry/cgal_[a-z_]+\\.cpp|tests/cases/geometry/[a-z_]+\\.cpp)$"
+  "CLI/"                   "^reports/(handhold|command_[a-z_]+|option_checks)\\.[ch]pp$"
+  "assimp/"                "^cases/geometry/mesh_reader\\.cpp$"
+  "toml\\+\\+|toml\\.hpp"  "^cases/scene/(scene_file|toml_section)\\.[ch]pp$"
+  "gsl/"                   "^(cases|compare|reference|tests)/.*\\.[ch]pp$"
+  "fmt/"                   "^(cases|reference|compare|reports|tests)/.*\\.[ch]pp$"
+  "nlohmann/"              "^(cases|compare|reports|tests)/.*\\.[ch]pp$")
+
+function(complain file number line why)
+  string(STRIP "${line}" line)
+  message(NOTICE "${file}:${number}: ${why}: ${line}")
+  set_property(GLOBAL PROPERTY broken TRUE)
+endfunction()
+
+function(check_own_include file number line included)
+  if(file MATCHES "^tests/")
+    return()  # a test may use any folder
+  endif()
+  string(REGEX MATCH "^[a-z]+" folder "${included}")
+  folders_seen_by("${file}" seen)
+  if(NOT folder IN_LIST seen)
+    complain("${file}" ${number} "${line}" "may not see ${folder}/")
+  elseif(included MATCHES "${private_headers}" AND NOT file MATCHES "^${folder}/.*\\.cpp$" AND NOT file MATCHES "${private_headers}")
+    complain("${file}" ${number} "${line}" "a header that shows a package serves the sources of its own folder only")
+  elseif(file MATCHES "^realtime/" AND folder STREQUAL "cases" AND NOT included MATCHES "${shared_headers}")
+    complain("${file}" ${number} "${line}" "realtime links with handhold::shared alone, which has no such header")
+  endif()
+endfunction()
+
+function(check_package_include file number line included)
+  if(file MATCHES "\\.hpp$" AND NOT file MATCHES "${private_headers}|^tests/" AND NOT included MATCHES "^([a-z_0-9]+|Eigen/[A-Za-z]+)$")
+    complain("${file}" ${number} "${line}" "headers show only Eigen and the standard library")
+    return()
+  endif()
+  set(rules ${packages})
+  while(rules)
+    list(POP_FRONT rules package users)
+    if(included MATCHES "^(${package})" AND NOT file MATCHES "${users}")
+      complain("${file}" ${number} "${line}" "only ${users} may see this package")
+    endif()
+  endwhile()
+endfunction()
+
+function(check_file file)
+  file(READ "${ROOT}/${file}" text)
+  string(REGEX REPLACE "[][;\\\\]" "_" text "${text}")  # characters that would upset CMake's lists
+  string(REPLACE "\n" ";" lines "${text}")
+  set(number 0)
+  foreach(line IN LISTS lines)
+    math(EXPR number "${number} + 1")
+    if(line MATCHES "^[ \t]*#[ \t]*include[ \t]*<([^>]+)>")
+      check_package_include("${file}" ${number} "${line}" "${CMAKE_MATCH_1}")
+    elseif(line MATCHES "^[ \t]*#[ \t]*include[ \t]*\"([a-z]+/[^\"]+)\"")
+      check_own_include("${file}" ${number} "${line}" "${CMAKE_MATCH_1}")
+    elseif(line MATCHES "^[ \t]*#[ \t]*include[ \t]*\"")
+      complain("${file}" ${number} "${line}" "write includes from the repository's root")
+    endif()
+  endforeach()
+endfunction()
+
+set(count 0)
+foreach(folder IN ITEMS cases realtime reference compare reports tests)
+  file(GLOB_RECURSE files RELATIVE "${ROOT}" "${ROOT}/${folder}/*.hpp" "${ROOT}/${folder}/*.cpp")
+  list(FILTER files EXCLUDE REGEX "node_modules/|^tests/package/")
+  foreach(file IN LISTS files)
+    check_file("${file}")
+    math(EXPR count "${count} + 1")
+  endforeach()
+endforeach()
+if(count EQUAL 0)
+  message(FATAL_ERROR "no sources under ${ROOT}: give -DROOT=<repository>")
+endif()
+get_property(broken GLOBAL PROPERTY broken)
+if(broken)
+  message(FATAL_ERROR "the layers are broken: see the lines above")
+endif()
+message(STATUS "${count} files keep the layers")

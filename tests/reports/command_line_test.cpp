@@ -1,0 +1,179 @@
+// The program itself, as a user runs it: exit codes, one line of error, files written.
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace handhold::reports {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Result {
+  int exit_code{};
+  std::string out{}, error{};
+};
+
+std::string read(const fs::path& path) {
+  std::ostringstream out;
+  out << std::ifstream(path, std::ios::binary).rdbuf();
+  return out.str();
+}
+
+/// A folder of its own for every test, where the program runs.
+class CommandLine : public testing::Test {
+ protected:
+  CommandLine() {
+    std::string name = (fs::temp_directory_path() / "handhold-cli-XXXXXX").string();
+    root = ::mkdtemp(name.data());
+  }
+  ~CommandLine() override { fs::remove_all(root); }
+
+  [[nodiscard]] Result run(const std::string& arguments) const {
+    const fs::path out = root / ".out", error = root / ".err";
+    const std::string command = "cd '" + root.string() + "' && '" HANDHOLD_EXECUTABLE "' " + arguments + " >'" +
+                                out.string() + "' 2>'" + error.string() + "'";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(out), read(error)};
+  }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(root / name, std::ios::binary) << text;
+  }
+
+  fs::path root;
+};
+
+class Help : public CommandLine, public testing::WithParamInterface<const char*> {};
+
+TEST_P(Help, ExitsWithZeroAndShowsExamples) {
+  const Result result = run(GetParam());
+  EXPECT_EQ(result.exit_code, 0) << result.error;
+  EXPECT_NE(result.out.find("Examples:"), std::string::npos);
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, Help,
+                         testing::Values("--help", "list --help", "suite --help", "run --help", "voxelize --help",
+                                         "trace --help", "trace info --help", "trace convert --help"));
+
+class BadInput : public CommandLine, public testing::WithParamInterface<const char*> {};
+
+TEST_P(BadInput, ExitsWithTwoAndOneLine) {
+  write("empty", "");
+  write("noise.obj", std::string("v 0 0 0\nf 1 2 3\n\xFF\x00\x01", 19));
+  write("noise.json", "{\"frames\": [[");
+  write("bad.toml", "name = \"x\"\nunknown_key = 3\n");
+  fs::create_directory(root / "full");
+  write("full/thesis.tex", "text");
+  const Result result = run(GetParam());
+  EXPECT_EQ(result.exit_code, 2) << result.out << result.error;
+  EXPECT_EQ(result.error.rfind("handhold: error: ", 0), 0u) << result.error;
+  EXPECT_EQ(result.error.find('\n'), result.error.size() - 1) << result.error;  // one line, and it ends
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Every, BadInput,
+    testing::Values("", "nonsense", "--nonsense", "list --nonsense", "list extra",  // words
+                    "suite --only C99", "suite --only ''", "suite --frame-rate 0", "suite --frame-rate nan",
+                    "suite --frame-rate x",  // numbers
+                    "suite --substeps 0", "suite --substeps 1e9", "suite --accuracy -1", "suite --accuracy inf",
+                    "suite --no-order=7", "suite --only C01 --out full", "suite --only C01 --out empty",
+                    "suite --only C01 --out /proc/x/y",  // places
+                    "run", "run missing.toml", "run empty", "run bad.toml", "run .", "run --case C99",
+                    "run --case C01/none", "run --case ''", "run bad.toml --case C01", "run --trace empty",
+                    "run --mesh empty", "run --trace missing --mesh shape:box", "run --trace empty --mesh shape:box",
+                    "run --case C01 --engine bullet", "run --case C01 --duration -1", "run --case C01 --mass 1",
+                    "run --case C01 --stiffness nan", "run --case C01 --out empty",  //
+                    "voxelize", "voxelize missing.obj", "voxelize empty", "voxelize noise.obj", "voxelize .",
+                    "voxelize shape:", "voxelize shape:potato", "voxelize shape:box,x", "voxelize shape:box,x=1m",
+                    "voxelize shape:box,x=-1", "voxelize shape:box --scale 0", "voxelize shape:box --voxel-size -1",
+                    "voxelize shape:box,x=1e30",  //
+                    "trace", "trace info", "trace info missing", "trace info empty", "trace info noise.json",
+                    "trace info .", "trace convert empty out.csv", "trace convert missing"));
+
+TEST_F(CommandLine, ListsWhatThereIs) {
+  const Result cases = run("list");
+  EXPECT_EQ(cases.exit_code, 0);
+  EXPECT_NE(cases.out.find("C01  "), std::string::npos);
+  const Result rest = run("list --engines --materials --shapes");
+  EXPECT_EQ(rest.exit_code, 0);
+  for (const char* wanted : {"realtime", "wood", "mug"}) EXPECT_NE(rest.out.find(wanted), std::string::npos) << wanted;
+}
+
+TEST_F(CommandLine, VersionExitsWithZero) { EXPECT_EQ(run("--version").exit_code, 0); }
+
+TEST_F(CommandLine, SuiteWritesAReportThatAgreesWithItsExitCode) {
+  const Result result = run("suite --only C01 --no-order --out report");
+  ASSERT_TRUE(result.exit_code == 0 || result.exit_code == 1) << result.error;
+  const auto json = nlohmann::json::parse(read(root / "report/results.json"));
+  EXPECT_EQ(json["verdict"]["passed"], result.exit_code == 0);
+  EXPECT_EQ(json["provenance"]["command"], "handhold suite --only C01 --no-order --out report");
+  EXPECT_EQ(json["cases"].size(), 1u);
+  EXPECT_EQ(result.out.find('\x1b'), std::string::npos);  // no terminal, no colours
+  EXPECT_EQ(fs::exists(root / "report/index.html"), true);
+}
+
+// An integrator at 1e-3 misses limits that are set for 1e-10.
+TEST_F(CommandLine, AFailedGateGivesExitCodeOne) {
+  const Result result = run("suite --only D02,D13,F01 --no-order --accuracy 1e-3 --out report");
+  EXPECT_EQ(result.exit_code, 1) << result.error;
+  EXPECT_GT(nlohmann::json::parse(read(root / "report/results.json"))["verdict"]["failed"], 0);
+  EXPECT_NE(result.out.find("Failed gates"), std::string::npos);
+}
+
+TEST_F(CommandLine, RunSaysWhatHappenedAndWritesRecordings) {
+  const Result result = run("run --case C01/slides --engine realtime --out rec");
+  EXPECT_EQ(result.exit_code, 0) << result.error;
+  EXPECT_NE(result.out.find("longest slip"), std::string::npos);
+  EXPECT_TRUE(fs::exists(root / "rec/realtime/frames.csv"));
+}
+
+TEST_F(CommandLine, VoxelizeAgreesWithTheVolumeOfABox) {  // 60 mm cube: 216 cm³
+  const Result result = run("voxelize shape:box,x=0.06,y=0.06,z=0.06 --voxel-size 2");
+  EXPECT_EQ(result.exit_code, 0) << result.error;
+  EXPECT_NE(result.out.find("60.0 x 60.0 x 60.0 mm"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("216 cm³"), std::string::npos) << result.out;
+}
+
+TEST_F(CommandLine, OutputThatCannotBeWrittenIsAnError) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full on this system";
+  const int status = std::system("'" HANDHOLD_EXECUTABLE "' list >/dev/full 2>/dev/null");
+  EXPECT_EQ(WEXITSTATUS(status), 2);
+}
+
+TEST_F(CommandLine, CtrlCWritesThePartialReportAndSaysSo) {
+  const pid_t child = ::fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    (void)::chdir(root.c_str());
+    (void)std::freopen(".out", "w", stdout);
+    (void)std::freopen(".err", "w", stderr);
+    ::execl(HANDHOLD_EXECUTABLE, "handhold", "suite", "--out", "report", static_cast<char*>(nullptr));
+    std::_Exit(127);
+  }
+  for (int i = 0;
+       i < 600 && std::count(std::istreambuf_iterator<char>(std::ifstream(root / ".err").rdbuf()), {}, '\n') < 2; ++i)
+    ::usleep(20000);
+  ::kill(child, SIGINT);  // the second run has begun, so the first is judged
+  int status{};
+  ::waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 1) << read(root / ".err");
+  const auto json = nlohmann::json::parse(read(root / "report/results.json"));
+  EXPECT_EQ(json["verdict"]["interrupted"], true);
+  EXPECT_EQ(json["verdict"]["passed"], false);
+  EXPECT_NE(read(root / ".out").find("Interrupted, so this is no pass"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace handhold::reports
