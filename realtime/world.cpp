@@ -35,6 +35,8 @@ World::World(const Scene& scene, const Options& options)
   body_ = make_rigid_body(scene.bodies.front());
   const std::size_t slots = contacts_.size();
   paths_.resize(scene.hands.size());
+  for (const PatchSlot& patch : contacts_.patches)
+    proximity_.emplace_back(scene.hands[patch.hand].motion->model().shape(patch.phalanx));
   samples_.resize(slots);
   slots_.reserve(slots);
   patch_of_slot_.resize(slots);
@@ -43,6 +45,20 @@ World::World(const Scene& scene, const Options& options)
       patch_of_slot_[std::size_t(contacts_.patches[p].first + i)] = int(p);
   events_.reserve(slots * std::size_t(options.substeps));
   start_height_ = -scene.gravity.dot(body_.center_W());
+}
+
+const VoxelField& World::field() const { return *scene_.bodies.front().field; }
+
+/// Puts a sample's anchor at the foot of `from_O`; false, and the sample is far, if there is none.
+bool World::place_anchor(std::size_t slot, const Eigen::Vector3d& p_O, const Eigen::Vector3d& from_O) {
+  Anchor anchor;
+  contacts_.near[slot] = foot(field(), from_O, anchor);
+  if (!contacts_.near[slot]) return false;
+  contacts_.C_O.set(slot, anchor.C_O);
+  contacts_.n_O.set(slot, anchor.n_O);
+  contacts_.depth[slot] = -(p_O - anchor.C_O).dot(anchor.n_O);
+  contacts_.lag_O.set(slot, tangential(p_O - anchor.C_O, anchor.n_O));
+  return true;
 }
 
 void World::observe(double dt, const std::vector<HandFrame>& hands) {
@@ -63,13 +79,7 @@ void World::start(double dt, const std::vector<HandFrame>& hands) {
       const std::size_t slot = std::size_t(patch.first + i);
       const SampleStart begin = given->start.empty() ? SampleStart{} : given->start[i];
       const Eigen::Vector3d p_O = body_.X_WO.inverse() * (hand.X_WP[patch.phalanx] * contacts_.p_P[slot]);
-      Anchor anchor;
-      contacts_.near[slot] = foot(*scene_.bodies.front().field, p_O - body_.X_WO.R.conjugate() * begin.lag_W, anchor);
-      if (!contacts_.near[slot]) continue;
-      contacts_.C_O.set(slot, anchor.C_O);
-      contacts_.n_O.set(slot, anchor.n_O);
-      contacts_.depth[slot] = -(p_O - anchor.C_O).dot(anchor.n_O);
-      contacts_.lag_O.set(slot, tangential(p_O - anchor.C_O, anchor.n_O));
+      if (!place_anchor(slot, p_O, p_O - body_.X_WO.R.conjugate() * begin.lag_W)) continue;
       if (contacts_.depth[slot] > 0) contacts_.mode[slot] = begin.slipping ? Mode::slip : Mode::stick;
     }
   }
@@ -154,13 +164,7 @@ void World::scatter(double h) {
       } else if (contacts_.mode[slot] == Mode::apart) {
         const Eigen::Vector3d p_O =
             body_.X_WO.inverse() * (next_[patch.hand].X_WP[patch.phalanx] * contacts_.p_P[slot]);
-        Anchor anchor;
-        contacts_.near[slot] = foot(*scene_.bodies.front().field, p_O, anchor);
-        if (!contacts_.near[slot]) continue;
-        contacts_.C_O.set(slot, anchor.C_O);
-        contacts_.n_O.set(slot, anchor.n_O);
-        contacts_.depth[slot] = -(p_O - anchor.C_O).dot(anchor.n_O);
-        contacts_.lag_O.set(slot, Eigen::Vector3d::Zero());
+        place_anchor(slot, p_O, p_O);
       }
     }
   }
@@ -182,7 +186,7 @@ void World::update_anchor(std::size_t slot, const StepSample& s, double h) {
   Eigen::Vector3d stretch = s.trial.v_t;           // rate of the lag
   if (slides) {
     const Eigen::Vector3d lag = lag_after_sliding(s.element, s.tangent, before);
-    slide(*scene_.bodies.front().field, R_OW * (s.trial.lag - lag), anchor);
+    slide(field(), R_OW * (s.trial.lag - lag), anchor);
     stretch = (lag - before) / h;
     step = body_.X_WO.R * (anchor.C_O - contacts_.C_O[slot]);
     contacts_.C_O.set(slot, anchor.C_O);
@@ -210,10 +214,9 @@ void World::set_mode(std::size_t slot, Mode mode, double h) {
 
 /// Seeds patches of phalanges that come near, drops those that went away.
 void World::detect(double h) {
-  const VoxelField& field = *scene_.bodies.front().field;
   const Pose X_OW = body_.X_WO.inverse();
-  const Eigen::AlignedBox3d box = field.bounds();
-  for (PatchSlot& patch : contacts_.patches) {
+  for (std::size_t i = 0; i < contacts_.patches.size(); ++i) {
+    PatchSlot& patch = contacts_.patches[i];
     if (patch.given) continue;
     const HandFrame& hand = next_[patch.hand];
     if (!hand.present) {
@@ -225,25 +228,19 @@ void World::detect(double h) {
       if (std::any_of(first, first + patch.count, [](Mode m) { return m != Mode::apart; })) continue;
     }
     const Pose X_OP = X_OW * hand.X_WP[patch.phalanx];
-    const PhalanxShape shape = scene_.hands[patch.hand].motion->model().shape(patch.phalanx);
-    const double radius = std::visit(
-        [](const auto& s) {
-          if constexpr (requires { s.radius; })
-            return s.half_length + s.radius;
-          else
-            return s.half_extents.norm();
-        },
-        shape);
     // What may come nearer during the next step is seeded now.
-    const double speed = h > 0 ? (hand.X_WP[patch.phalanx].p - now_[patch.hand].X_WP[patch.phalanx].p).norm() : 0;
-    const double offset = scene_.patch.contact_offset + speed + h * body_.v.norm();
-    if (box.exteriorDistance(X_OP.p) > radius + 2 * offset) {
-      if (patch.active) drop(patch);
-      continue;
+    const double step = h > 0 ? (hand.X_WP[patch.phalanx].p - now_[patch.hand].X_WP[patch.phalanx].p).norm() : 0;
+    const double offset = scene_.patch.contact_offset + step + h * body_.v.norm();
+    switch (proximity_[i].update(field(), X_OP, patch.active, offset)) {
+      case Proximity::Verdict::near:
+        seed(patch, X_OP, proximity_[i].place());
+        break;
+      case Proximity::Verdict::far:
+        drop(patch);
+        break;
+      case Proximity::Verdict::same:
+        break;
     }
-    const Nearest place = nearest(shape, X_OP, field);
-    if (!patch.active && place.distance < offset) seed(patch, X_OP, place);
-    if (patch.active && place.distance > 2 * offset) drop(patch);
   }
 }
 
@@ -255,12 +252,7 @@ void World::seed(PatchSlot& patch, const Pose& X_OP, const Nearest& place) {
     contacts_.p_P.set(slot, points.p_P[i]);
     contacts_.mode[slot] = Mode::apart;
     const Eigen::Vector3d p_O = X_OP * points.p_P[i];
-    Anchor anchor;
-    contacts_.near[slot] = foot(*scene_.bodies.front().field, p_O, anchor);
-    contacts_.C_O.set(slot, anchor.C_O);
-    contacts_.n_O.set(slot, anchor.n_O);
-    contacts_.depth[slot] = -(p_O - anchor.C_O).dot(anchor.n_O);
-    contacts_.lag_O.set(slot, Eigen::Vector3d::Zero());
+    place_anchor(slot, p_O, p_O);
     contacts_.f_W.set(slot, Eigen::Vector3d::Zero());
   }
 }

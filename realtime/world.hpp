@@ -8,6 +8,7 @@
 #include "realtime/contacts.hpp"
 #include "realtime/hand_path.hpp"
 #include "realtime/implicit_step.hpp"
+#include "realtime/proximity.hpp"
 #include "realtime/rigid_body.hpp"
 
 namespace handhold::realtime {
@@ -51,11 +52,13 @@ class World {
  private:
   void place_hands(double fraction);
   void substep(double h);
-  void detect(double reach);
+  void detect(double h);
   void seed(PatchSlot& patch, const Pose& X_OP, const Nearest& nearest);
   void drop(PatchSlot& patch);
   void gather(double h);
   void scatter(double h);
+  [[nodiscard]] const VoxelField& field() const;
+  bool place_anchor(std::size_t slot, const Eigen::Vector3d& p_O, const Eigen::Vector3d& from_O);
   void update_anchor(std::size_t slot, const StepSample& sample, double h);
   [[nodiscard]] double stored(std::size_t slot) const;
   void set_mode(std::size_t slot, Mode mode, double h);
@@ -65,6 +68,7 @@ class World {
   RigidBody body_;
   Contacts contacts_;
   std::vector<HandPath> paths_;
+  std::vector<Proximity> proximity_;   // of every patch slot
   std::vector<HandFrame> now_, next_;  // start and end of the sub-step
   std::vector<StepSample> samples_;    // of this sub-step, packed
   std::vector<std::size_t> slots_;     // where each of them came from
