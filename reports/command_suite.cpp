@@ -71,7 +71,7 @@ void add_suite(CLI::App& app, Invocation& invocation) {
   command->add_flag("--no-order", options->no_order, "skip the studies of the order of accuracy")
       ->disable_flag_override();
   command->footer(
-      "Examples:\n  handhold suite\n  handhold suite --only C01,D02 --out /tmp/report\n  handhold suite --substeps 16 "
+      "Examples:\n  handhold suite\n  handhold suite --only C01,D02 --out report\n  handhold suite --substeps 16 "
       "--no-order\n"
       "Ctrl-C ends it after the current run; what was judged until then is written and says so.");
   command->callback([options, &invocation] { execute(*options, invocation); });
