@@ -42,18 +42,19 @@ struct BodyState {
 struct ContactState {
   SampleId id{};
   Mode mode{Mode::apart};
-  double depth{};                                   ///< d = −(p − C)·n [m]
-  Eigen::Vector3d p_W{Eigen::Vector3d::Zero()};     ///< sample point on the phalanx
-  Eigen::Vector3d C_W{Eigen::Vector3d::Zero()};     ///< anchor on the object
-  Eigen::Vector3d n_W{Eigen::Vector3d::Zero()};     ///< outward normal at the anchor
-  Eigen::Vector3d f_W{Eigen::Vector3d::Zero()};     ///< force on the object at C [N]
+  double depth{};                                ///< d = −(p − C)·n [m]
+  Eigen::Vector3d p_W{Eigen::Vector3d::Zero()};  ///< sample point on the phalanx
+  Eigen::Vector3d C_W{Eigen::Vector3d::Zero()};  ///< anchor on the object
+  Eigen::Vector3d n_W{Eigen::Vector3d::Zero()};  ///< outward normal at the anchor
+  Eigen::Vector3d f_W{Eigen::Vector3d::Zero()};  ///< force on the object at C [N]
 };
 
-/// Energy book, [J]. A lack of balance is an error of ours: kinetic + potential + elastic + dissipated − hand_work − start.
+/// Energy book, [J]. A lack of balance is an error of ours: kinetic + potential + elastic + dissipated − hand_work −
+/// start.
 struct Energy {
   double kinetic{}, potential{}, elastic{};
   double dissipated{};  ///< by friction and damping since t = 0
-  double hand_work{};   ///< done by the hand since t = 0
+  double hand_work{};   ///< done by the hand, and by a support that carries the weight, since t = 0
 };
 
 struct Frame {

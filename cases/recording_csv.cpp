@@ -19,6 +19,10 @@ namespace {
 namespace fs = std::filesystem;
 using Buffer = fmt::memory_buffer;
 
+constexpr std::array<const char*, 13> body_columns{
+    "x_m",        "y_m",        "z_m",        "qw",           "qx",           "qy",          "qz",
+    "vx_m_per_s", "vy_m_per_s", "vz_m_per_s", "wx_rad_per_s", "wy_rad_per_s", "wz_rad_per_s"};
+
 [[noreturn]] void cannot_write(const fs::path& path, const std::error_code& why) {
   throw InputError(fmt::format("{}: cannot be written: {} (free space, or give another folder)", path.string(),
                                why ? why.message() : "input/output error"));
@@ -87,8 +91,7 @@ Buffer frames_text(const Recording& recording) {
   put_header(out, recording);
   fmt::format_to(std::back_inserter(out), "t_s");
   for (const std::string& name : recording.body_names) {
-    for (const char* column : {"x_m", "y_m", "z_m", "qw", "qx", "qy", "qz", "vx_m_per_s", "vy_m_per_s", "vz_m_per_s",
-                               "wx_rad_per_s", "wy_rad_per_s", "wz_rad_per_s"}) {
+    for (const char* column : body_columns) {
       fmt::format_to(std::back_inserter(out), ",{}", field(name + "." + column));
     }
   }
@@ -124,10 +127,12 @@ Buffer contacts_text(const Recording& recording) {
 Buffer events_text(const Recording& recording) {
   Buffer out;
   put_header(out, recording);
-  fmt::format_to(std::back_inserter(out), "t_s,window_s,kind,hand,phalanx,body,sample\n");
+  fmt::format_to(std::back_inserter(out), "t_s,window_s,kind,hand,phalanx,body,sample,{}\n",
+                 fmt::join(body_columns, ","));
   for (const Event& event : recording.events) {
     fmt::format_to(std::back_inserter(out), "{},{},{}", event.t, event.window, to_string(event.kind));
     put(out, event.id);
+    put_body(out, event.body);
     out.push_back('\n');
   }
   return out;

@@ -7,14 +7,13 @@
 // A recording as a folder of CSV files that any program can write and read. Units stand in the column names; numbers
 // have as many digits as it takes to read the same bits back; `nan` and `inf` are numbers (of a run that diverged).
 //
-//   frames.csv       t_s, then for every body in order its pose and twist in W (NAME.x_m, .y_m, .z_m, .qw, .qx, .qy,
-//   .qz,
-//                    .vx_m_per_s, ..., .wx_rad_per_s, ...), then kinetic_J, potential_J, elastic_J, dissipated_J,
+//   frames.csv       t_s; for every body in order its pose and twist in W (NAME.x_m, .y_m, .z_m, .qw, .qx, .qy, .qz,
+//                    .vx_m_per_s, ..., .wx_rad_per_s, ...); kinetic_J, potential_J, elastic_J, dissipated_J,
 //                    hand_work_J
-//   contacts.csv     frame (its number in frames.csv, from 0), t_s, hand, phalanx, body, sample (numbers as in
-//   SampleId),
+//   contacts.csv     frame (its number in frames.csv, from 0), t_s, hand, phalanx, body, sample (as in SampleId),
 //                    mode (apart, stick, slip), depth_m, p, C and n in W, force on the object f in N
-//   events.csv       t_s, window_s, kind (touch, breakaway, restick, release), hand, phalanx, body, sample
+//   events.csv       t_s, window_s, kind (touch, breakaway, restick, release), hand, phalanx, body, sample; pose
+//                    and twist of that body at that time, as in frames.csv
 //   frame_times.csv  advance, cpu_time_s; no rows when not measured
 //
 // Every file begins with lines `# key: value`: format, engine, scene, outcome (complete, interrupted, diverged,

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t body_columns = 13;
 constexpr std::size_t energy_columns = 5;
 constexpr std::size_t contact_columns = 20;
-constexpr std::size_t event_columns = 7;
+constexpr std::size_t event_columns = 7 + body_columns;
 
 std::string unescape(std::string_view text) {
   std::string result;
@@ -217,7 +217,7 @@ void read_events(const fs::path& path, Recording& recording) {
   Lines lines(path);
   for (Fields f = lines.row(event_columns); !f.empty(); f = lines.row(event_columns)) {
     recording.events.push_back({lines.number(f[0]), lines.number(f[1]), enum_from<EventKind>(lines, f[2], 4),
-                                id_at(lines, f, 3, recording.body_names.size())});
+                                id_at(lines, f, 3, recording.body_names.size()), body_at(lines, f, 7)});
   }
 }
 

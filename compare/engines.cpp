@@ -1,5 +1,6 @@
 #include "compare/engines.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 
@@ -33,7 +34,7 @@ Frame frame_of(const realtime::World& world) {
   Frame frame{.t = world.time(), .bodies = {world.body().state()}, .energy = world.energy()};
   for (const realtime::PatchSlot& patch : world.contacts().patches)
     if (patch.active)
-      for (int i = 0; i < patch.count; ++i) frame.contacts.push_back(world.contact(std::size_t(patch.first + i)));
+      for (int i = 0; i < patch.count; ++i) frame.contacts.push_back(world.contact(patch.slot(i)));
   return frame;
 }
 
@@ -44,6 +45,8 @@ class RealtimeEngine : public Engine {
   [[nodiscard]] Recording simulate(const Scene& scene, const EngineOptions& options,
                                    const Progress& progress) const override {
     validate(scene);
+    if (!(options.frame_rate > 0) || !std::isfinite(options.frame_rate))
+      throw InputError(fmt::format("frame_rate={} Hz: must be finite and > 0 (90 is the default)", options.frame_rate));
     Recording recording{.engine = name(), .scene = scene.name};
     recording.provenance = {{"frame_rate", fmt::format("{} Hz", options.frame_rate)},
                             {"substeps", fmt::format("{}", options.substeps)}};

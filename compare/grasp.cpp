@@ -11,14 +11,17 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-bool touching(const Frame& frame) {
-  return std::ranges::any_of(frame.contacts, [](const ContactState& c) { return c.mode != Mode::apart; });
-}
+/// The larger one; NaN if either is, where std::max would drop it.
+double larger(double a, double b) { return b > a || std::isnan(b) ? b : a; }
+
+bool touches(const ContactState& c) { return c.mode != Mode::apart; }
+
+bool touching(const Frame& frame) { return std::ranges::any_of(frame.contacts, touches); }
 
 int phalanges_touching(const Frame& frame) {
   std::set<std::pair<int, int>> seen;
   for (const ContactState& c : frame.contacts)
-    if (c.mode != Mode::apart) seen.insert({c.id.hand, c.id.phalanx});
+    if (touches(c)) seen.insert({c.id.hand, c.id.phalanx});
   return int(seen.size());
 }
 
@@ -26,21 +29,26 @@ int count(const Recording& recording, EventKind kind) {
   return int(std::ranges::count_if(recording.events, [&](const Event& e) { return e.kind == kind; }));
 }
 
-/// The longest way that one anchor has gone on the object while slipping, seen frame by frame.
+/// The longest way that one sample's anchor has gone on the object, seen from frame to frame. Only between frames that
+/// both show it in contact: apart, an anchor follows the sample without friction, and a new touch starts elsewhere.
 double longest_slip(const Recording& recording) {
   struct Track {
-    Eigen::Vector3d C_O;
+    Eigen::Vector3d C_O{Eigen::Vector3d::Zero()};
     double path{};
+    std::size_t frame{};
   };
   std::map<SampleId, Track> tracks;
   double longest = 0;
-  for (const Frame& frame : recording.frames)
-    for (const ContactState& c : frame.contacts) {
-      const Eigen::Vector3d C_O = frame.bodies[c.id.body].X_WO.inverse() * c.C_W;
-      auto [track, fresh] = tracks.try_emplace(c.id, Track{C_O, 0});
-      if (!fresh && c.mode == Mode::slip) track->second.path += (C_O - track->second.C_O).norm();
-      track->second.C_O = C_O;
-      longest = std::max(longest, track->second.path);
+  for (std::size_t i = 0; i < recording.frames.size(); ++i)
+    for (const ContactState& c : recording.frames[i].contacts) {
+      if (!touches(c)) continue;
+      const Eigen::Vector3d C_O = recording.frames[i].bodies[c.id.body].X_WO.inverse() * c.C_W;
+      auto [found, fresh] = tracks.try_emplace(c.id);
+      Track& track = found->second;
+      if (!fresh && track.frame + 1 == i) track.path += (C_O - track.C_O).norm();
+      track.C_O = C_O;
+      track.frame = i;
+      longest = larger(longest, track.path);
     }
   return longest;
 }
@@ -52,7 +60,7 @@ Eigen::Vector3d in_hand(const Scene& scene, const Frame& frame) {
 }
 
 double elastic_lag(const Scene& scene, const Frame& frame) {
-  const auto n = std::ranges::count_if(frame.contacts, [](const ContactState& c) { return c.mode != Mode::apart; });
+  const auto n = std::ranges::count_if(frame.contacts, touches);
   return n > 0 ? scene.bodies.front().inertia.mass * scene.gravity.norm() / (scene.contact.stiffness * double(n)) : 0;
 }
 
@@ -60,7 +68,7 @@ double energy_residual(const Recording& recording) {
   const auto book = [](const Energy& e) { return e.kinetic + e.potential + e.elastic + e.dissipated - e.hand_work; };
   double largest = 0;
   for (const Frame& frame : recording.frames)
-    largest = std::max(largest, std::abs(book(frame.energy) - book(recording.frames.front().energy)));
+    largest = larger(largest, std::abs(book(frame.energy) - book(recording.frames.front().energy)));
   return largest;
 }
 
@@ -95,21 +103,21 @@ GraspSummary summarize(const Scene& scene, const Recording& recording) {
   for (const Frame& frame : recording.frames) {
     s.phalanges_in_contact = std::max(s.phalanges_in_contact, phalanges_touching(frame));
     for (const ContactState& c : frame.contacts)
-      if (c.mode != Mode::apart) s.max_depth = std::max(s.max_depth, c.depth);
-    const bool touches = touching(frame);
-    touched |= touches;
-    if (touches) s.dropped_at.reset();
-    if (touched && !touches && !s.dropped_at) s.dropped_at = frame.t;
-    if (!let_go && frame.t >= scene.bodies.front().held_until && touches) let_go = &frame;
+      if (touches(c)) s.max_depth = larger(s.max_depth, c.depth);
+    const bool in_contact = touching(frame);
+    touched |= in_contact;
+    if (in_contact) s.dropped_at.reset();
+    if (touched && !in_contact && !s.dropped_at) s.dropped_at = frame.t;
+    if (!let_go && frame.t >= scene.bodies.front().held_until && in_contact) let_go = &frame;
   }
   if (!touched) return s;
   const Frame& end = recording.frames.back();
   if (let_go && !scene.hands.empty()) s.drift = (in_hand(scene, end) - in_hand(scene, *let_go)).norm();
-  if (!touching(end) || !let_go)
+  if (let_go) s.carried = std::max(0.0, s.dropped_at.value_or(end.t) - let_go->t);
+  if (!touching(end))
     s.hold = Hold::dropped;
   else
     s.hold = s.drift < 0.002 + elastic_lag(scene, end) ? Hold::held : Hold::slipped;
-  if (s.hold != Hold::dropped) s.dropped_at.reset();
   return s;
 }
 
@@ -127,9 +135,9 @@ Difference difference(const Recording& a, const Recording& b) {
     const double gap = (A.p - B.p).norm();
     ++frames;
     squares += gap * gap;
-    d.max_translation = std::max(d.max_translation, gap);
-    d.max_rotation = std::max(d.max_rotation, A.R.angularDistance(B.R));
-    if (std::isnan(d.first_divergence) && gap > 1e-3) d.first_divergence = frame.t;
+    d.max_translation = larger(d.max_translation, gap);
+    d.max_rotation = larger(d.max_rotation, A.R.angularDistance(B.R));
+    if (std::isnan(d.first_divergence) && !(gap <= 1e-3)) d.first_divergence = frame.t;
     for (const ContactState& c : frame.contacts)
       for (const ContactState& e : other->contacts)
         if (c.id == e.id) {
@@ -137,7 +145,8 @@ Difference difference(const Recording& a, const Recording& b) {
           same += c.mode == e.mode;
         }
   }
-  if (frames > 0) d.rms_translation = std::sqrt(squares / double(frames));
+  if (frames == 0) return {nan, nan, nan, nan, nan};
+  d.rms_translation = std::sqrt(squares / double(frames));
   d.mode_agreement = pairs > 0 ? double(same) / double(pairs) : nan;
   return d;
 }

@@ -106,7 +106,7 @@ double rotation(const Recording& recording, const Measure& what, double t, const
 double time_at(const Reader& reader, const Recording& recording, double level) {
   for (std::size_t i = 1; i < recording.frames.size(); ++i) {
     double a = recording.frames[i - 1].t, b = recording.frames[i].t;
-    if (reader.at(b).x < level) continue;
+    if (!(reader.at(b).x >= level)) continue;
     for (int k = 0; k < 60; ++k) {
       const double m = 0.5 * (a + b);
       (reader.at(m).x < level ? a : b) = m;
@@ -127,7 +127,7 @@ double held(const Reader& reader, const Recording& recording, double level) {
 double measure(const Scene& scene, const Recording& recording, const Measure& what) {
   if (recording.frames.empty() || recording.outcome != Outcome::complete) return nan;
   const Reader reader(scene, recording, what);
-  const Event* event = what.at ? nullptr : find_event(recording, what);
+  const Event* event = find_event(recording, what);
   const auto along = [&] {
     if (what.at) return reader.at(*what.at);
     return event ? reader.at(event->t, event->body) : Along{nan, nan};

@@ -114,14 +114,13 @@ RunResult run_one(const Run& run, const Engine& reference, const Engine& realtim
   result.reference_note = note_of(slow.recording);
   result.realtime_note = note_of(fast.recording);
   result.realtime_frame = frame_times(fast.recording.frame_time);
-  const double frame = 1 / options.engine.frame_rate;
-  const double substep = frame / options.engine.substeps;
+  const double substep = 1 / (options.engine.frame_rate * options.engine.substeps);
   for (const Expectation& e : run.expectations) {
     Finding finding{.expectation = e};
     finding.reference =
-        judge(e, e.reference, limit_for(e.reference, 0, 0), measure(scene, slow.recording, e.measure), "reference");
-    finding.realtime = judge(e, e.realtime, limit_for(e.realtime, substep, frame),
-                             measure(scene, fast.recording, e.measure), "real time");
+        judge(e, e.reference, limit_for(e.reference, 0), measure(scene, slow.recording, e.measure), "reference");
+    finding.realtime =
+        judge(e, e.realtime, limit_for(e.realtime, substep), measure(scene, fast.recording, e.measure), "real time");
     result.findings.push_back(std::move(finding));
   }
   if (run.curve) result.curve = curve_data(scene, *run.curve, slow.recording, fast.recording);
@@ -135,6 +134,7 @@ std::vector<const Case*> chosen(const std::vector<std::string>& ids) {
   for (const std::string& id : ids)
     if (std::ranges::none_of(all, [&](const Case& c) { return c.id == id; })) {
       std::vector<std::string> known;
+      known.reserve(all.size());
       for (const Case& c : all) known.push_back(c.id);
       throw InputError(fmt::format("case '{}': no such case (there are {})", id, fmt::join(known, ", ")));
     }

@@ -21,8 +21,9 @@ struct Judgement {
   Gate gate{};
 };
 
-/// Error of one quantity against the sub-step of the real-time path. The frame is shortened with the sub-step: a hand is known at
-/// frames only, so refining the sub-step alone converges to the motion of a hand that moves between frames as HandPath says.
+/// Error of one quantity against the sub-step of the real-time path. The frame is shortened with the sub-step: a hand
+/// is known at frames only, so refining the sub-step alone converges to the motion of a hand that moves between frames
+/// as HandPath says.
 struct OrderStudy {
   std::vector<double> substep{};  ///< [s], descending
   std::vector<double> error{};    ///< in the quantity's unit
@@ -66,7 +67,7 @@ struct SuiteResult {
 
 struct SuiteOptions {
   EngineOptions engine{};
-  std::vector<std::string> ids{};                 ///< cases to run; empty: all
+  std::vector<std::string> ids{};                   ///< cases to run; empty: all
   std::vector<int> study_refinements{2, 4, 8, 16};  ///< of frame and sub-step in the order studies; empty: none
 };
 

@@ -39,7 +39,7 @@ Contacts make_contacts(const Scene& scene) {
   resize(contacts, std::size_t(next));
   for (const PatchSlot& patch : contacts.patches)
     for (int i = 0; i < patch.count; ++i) {
-      const std::size_t slot = std::size_t(patch.first + i);
+      const std::size_t slot = patch.slot(i);
       contacts.id[slot] = {std::uint8_t(patch.hand), std::uint8_t(patch.phalanx), std::uint8_t(patch.body),
                            std::uint8_t(i)};
       if (patch.given) contacts.p_P.set(slot, find_given(scene.hands[patch.hand], patch.phalanx)->p_P[i]);

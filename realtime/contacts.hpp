@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "cases/recording.hpp"
@@ -15,6 +17,9 @@ struct PatchSlot {
   int first{}, count{};
   bool given{false};  ///< points come from the scene and are never dropped
   bool active{false};
+
+  /// Index of the i-th sample in the arrays of Contacts.
+  [[nodiscard]] std::size_t slot(int i) const { return std::size_t(first) + std::size_t(i); }
 };
 
 /// All samples that a scene can have, structure of arrays.

@@ -2,8 +2,6 @@
 
 #include <Eigen/Core>
 
-#include "cases/scene/friction.hpp"
-
 namespace handhold::realtime {
 
 /// The contact element (spring and damper in parallel, in series with a Coulomb slider) over one fully implicit step.

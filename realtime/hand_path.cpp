@@ -29,10 +29,22 @@ Eigen::Vector3d hermite(const Eigen::Vector3d& step, const Eigen::Vector3d& begi
   return s * s * (3 - 2 * s) * step + s * (1 - s) * ((1 - s) * begin - s * end);
 }
 
+/// Rate of the rotation vector `turn` of a phalanx that spins with `spin`, in its own frame: J_r⁻¹(turn) spin to third
+/// order. Without it a velocity would jump at frames when the axis turns.
+Eigen::Vector3d turn_rate(const Eigen::Vector3d& turn, const Eigen::Vector3d& spin) {
+  const Eigen::Vector3d across = turn.cross(spin);
+  return spin + 0.5 * across + turn.cross(across) / 12;
+}
+
+bool is_finite(const HandFrame& frame) {
+  return std::all_of(frame.X_WP.begin(), frame.X_WP.end(),
+                     [](const Pose& X) { return X.p.allFinite() && X.R.coeffs().allFinite(); });
+}
+
 }  // namespace
 
 void HandPath::observe(double dt, const HandFrame& frame) {
-  if (!frame.present) {
+  if (!frame.present || !is_finite(frame)) {
     known_ = 0;
     return;
   }
@@ -53,9 +65,9 @@ void HandPath::observe(double dt, const HandFrame& frame) {
     // Backward difference: this step, plus half of what it changed against the last one scaled to the same length.
     const bool second = known_ > 2;
     const double blend = ratio / (1 + ratio);
-    step.rate_begin = known_ > 2 ? ratio * last.rate_end : step.move;
+    step.rate_begin = second ? ratio * last.rate_end : step.move;
     step.rate_end = second ? step.move + blend * (step.move - ratio * last.move) : step.move;
-    step.spin_begin = known_ > 2 ? ratio * last.spin_end : step.turn;
+    step.spin_begin = second ? ratio * last.spin_end : step.turn;
     step.spin_end = second ? step.turn + blend * (step.turn - ratio * last.turn) : step.turn;
   }
   dt_ = dt;
@@ -64,7 +76,7 @@ void HandPath::observe(double dt, const HandFrame& frame) {
 Pose HandPath::pose(int phalanx, double fraction) const {
   if (fraction >= 1) return end_[phalanx];  // to the last bit
   const Step& step = step_[phalanx];
-  const Eigen::Vector3d turn = hermite(step.turn, step.spin_begin, step.spin_end, fraction);
+  const Eigen::Vector3d turn = hermite(step.turn, step.spin_begin, turn_rate(step.turn, step.spin_end), fraction);
   return {begin_[phalanx].R * quaternion(turn),
           begin_[phalanx].p + hermite(step.move, step.rate_begin, step.rate_end, fraction)};
 }

@@ -19,7 +19,8 @@ struct HandFrame {
 /// Fewer than three frames: first order, or rest.
 class HandPath {
  public:
-  /// The next frame, `dt` seconds after the last. A hand that was absent starts anew.
+  /// The next frame, `dt` seconds after the last. A hand that was absent starts anew; a pose that is not finite counts
+  /// as absent.
   void observe(double dt, const HandFrame& frame);
 
   [[nodiscard]] bool present() const { return known_ > 0; }
@@ -33,7 +34,7 @@ class HandPath {
   struct Step {
     Eigen::Vector3d move{Eigen::Vector3d::Zero()}, turn{Eigen::Vector3d::Zero()};
     Eigen::Vector3d rate_begin{Eigen::Vector3d::Zero()}, rate_end{Eigen::Vector3d::Zero()};  // of move
-    Eigen::Vector3d spin_begin{Eigen::Vector3d::Zero()}, spin_end{Eigen::Vector3d::Zero()};  // of turn
+    Eigen::Vector3d spin_begin{Eigen::Vector3d::Zero()}, spin_end{Eigen::Vector3d::Zero()};  // angular, in P
   };
   std::array<Pose, phalanx_count> begin_{}, end_{};
   std::array<Step, phalanx_count> step_{};

@@ -50,10 +50,10 @@ bool break_away(std::vector<StepSample>& samples, std::size_t count, const Frict
 
 }  // namespace
 
-SolverReport solve_velocity(const RigidBody& body, bool moves, const Vector6& external, double h,
+SolverReport solve_velocity(const RigidBody& body, const Vector6& external, double drag, double h,
                             const Friction& friction, std::vector<StepSample>& samples, std::size_t count,
                             const SolverOptions& options, Vector6& u) {
-  if (!moves) {
+  if (!body.moves()) {
     u.setZero();
     for (std::size_t i = 0; i < count; ++i) evaluate(samples[i], u, friction);
     if (break_away(samples, count, friction))
@@ -75,7 +75,7 @@ SolverReport solve_velocity(const RigidBody& body, bool moves, const Vector6& ex
       accumulate(samples[i].arm, element, force, slope);
       largest += element.f.norm();
     }
-    Vector6 residual = M * (u - u0) - h * force;
+    Vector6 residual = M * (u - u0 + h * drag * u) - h * force;
     if (!turns) residual.tail<3>().setZero();
     // Angular rows are in N m s: an arm of a metre would make them comparable, objects are smaller, so this is the safe
     // side.
@@ -83,7 +83,7 @@ SolverReport solve_velocity(const RigidBody& body, bool moves, const Vector6& ex
       if (!break_away(samples, count, friction)) return {iteration, true};
       continue;
     }
-    Matrix6 J = M + h * slope;
+    Matrix6 J = (1 + h * drag) * M + h * slope;
     if (!turns) {
       J.bottomRows<3>().setZero();
       J.bottomRightCorner<3, 3>().setIdentity();

@@ -23,7 +23,7 @@ struct StepSample {
 
 struct SolverOptions {
   int max_iterations{30};
-  double tolerance{1e-13};  ///< of the momentum balance, relative to the largest of its terms
+  double tolerance{1e-13};  ///< of the momentum balance, relative to the sum of its terms' sizes
 };
 
 struct SolverReport {
@@ -37,7 +37,7 @@ struct SolverReport {
 /// Semi-smooth Newton on touching (N >= 0) and sliding (|f_t| <= μ_d N); sticking samples whose t* leaves the static
 /// cone at a solution start to slide, never back within a step, so the loop ends. A body that does not move (`moves`
 /// false) gets u = 0.
-SolverReport solve_velocity(const RigidBody& body, bool moves, const Vector6& external, double h,
+SolverReport solve_velocity(const RigidBody& body, const Vector6& external, double drag, double h,
                             const Friction& friction, std::vector<StepSample>& samples, std::size_t count,
                             const SolverOptions& options, Vector6& u);
 

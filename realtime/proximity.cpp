@@ -1,5 +1,6 @@
 #include "realtime/proximity.hpp"
 
+#include <algorithm>
 #include <variant>
 
 namespace handhold::realtime {
@@ -25,7 +26,8 @@ Proximity::Verdict Proximity::update(const VoxelField& field, const Pose& X_OP, 
   X_OP_ = X_OP;
   known_ = true;
   if (active) return place_.distance > 2 * offset ? Verdict::far : Verdict::same;
-  return place_.distance < offset ? Verdict::near : Verdict::same;
+  // Beyond its reach `nearest` gives a bound and no place.
+  return place_.distance < std::min(offset, nearest_reach) ? Verdict::near : Verdict::same;
 }
 
 }  // namespace handhold::realtime

@@ -14,20 +14,20 @@ RigidBody make_rigid_body(const Body& body) {
   rigid.X_WO = body.X_WO;
   if (body.mobility == Mobility::fixed || body.held_until > 0) return rigid;
   if (body.mobility == Mobility::free) rigid.w = body.V_WO.w;
-  rigid.v = body.V_WO.v + rigid.w.cross(rigid.center_W() - rigid.X_WO.p);
+  rigid.v = body.V_WO.v + rigid.w.cross(rigid.center() - rigid.X_WO.p);
   return rigid;
 }
 
 Matrix6 mass_matrix(const RigidBody& body) {
   Matrix6 M = Matrix6::Zero();
   M.topLeftCorner<3, 3>() = body.mass * Eigen::Matrix3d::Identity();
-  M.bottomRightCorner<3, 3>() = body.inertia_W();
+  M.bottomRightCorner<3, 3>() = body.inertia();
   return M;
 }
 
 Vector6 external_force(const RigidBody& body, const Eigen::Vector3d& gravity) {
   Vector6 F;
-  const Eigen::Vector3d spin = body.inertia_W() * body.w;
+  const Eigen::Vector3d spin = body.inertia() * body.w;
   F << body.mass * gravity, -body.w.cross(spin);
   return F;
 }
@@ -35,7 +35,7 @@ Vector6 external_force(const RigidBody& body, const Eigen::Vector3d& gravity) {
 void move(RigidBody& body, const Vector6& velocity, double h) {
   body.v = velocity.head<3>();
   body.w = velocity.tail<3>();
-  const Eigen::Vector3d center = body.center_W() + h * body.v;
+  const Eigen::Vector3d center = body.center() + h * body.v;
   const double speed = body.w.norm();
   if (speed > 0) {
     const Eigen::Quaterniond turn(Eigen::AngleAxisd(h * speed, body.w / speed));

@@ -21,13 +21,16 @@ struct RigidBody {
   Eigen::Vector3d v{Eigen::Vector3d::Zero()};  ///< of the centre of mass, in W [m/s]
   Eigen::Vector3d w{Eigen::Vector3d::Zero()};  ///< in W [rad/s]
 
-  [[nodiscard]] Eigen::Vector3d center_W() const { return X_WO * center_O; }
-  [[nodiscard]] Eigen::Matrix3d inertia_W() const {
+  /// Centre of mass, in W.
+  [[nodiscard]] Eigen::Vector3d center() const { return X_WO * center_O; }
+  /// About the centre of mass, in W.
+  [[nodiscard]] Eigen::Matrix3d inertia() const {
     const Eigen::Matrix3d R = X_WO.R.toRotationMatrix();
     return R * inertia_O * R.transpose();
   }
-  [[nodiscard]] BodyState state() const { return {X_WO, {w, v + w.cross(X_WO.p - center_W())}}; }
-  [[nodiscard]] bool moves(double t) const { return mobility != Mobility::fixed && t > held_until; }
+  [[nodiscard]] BodyState state() const { return {X_WO, {w, v + w.cross(X_WO.p - center())}}; }
+  [[nodiscard]] bool moves() const { return mobility != Mobility::fixed; }
+  [[nodiscard]] bool held(double t) const { return t <= held_until; }
 };
 
 [[nodiscard]] RigidBody make_rigid_body(const Body& body);
@@ -35,7 +38,7 @@ struct RigidBody {
 /// Mass matrix about the centre of mass, in W.
 [[nodiscard]] Matrix6 mass_matrix(const RigidBody& body);
 
-/// Gravity and, explicitly, the gyroscopic torque −ω × I ω.
+/// Gravity (0 while a support carries the weight) and, explicitly, the gyroscopic torque −ω × I ω.
 [[nodiscard]] Vector6 external_force(const RigidBody& body, const Eigen::Vector3d& gravity);
 
 /// Moves the pose by the velocity (v, w) held for h: x += h v, R = exp(h ω) R (exact for constant spin).

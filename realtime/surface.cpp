@@ -7,7 +7,7 @@ namespace handhold::realtime {
 namespace {
 
 constexpr double smallest_turn_cosine = 0.5;  // 60 degrees a voxel
-constexpr int most_moves = 64;
+constexpr double most_moves = 64;
 
 /// Gradient by central differences over one voxel: continuous, unlike the gradient of the trilinear interpolant, whose
 /// jumps from cell to cell turn a normal by 10 degrees on a surface of a few voxels' radius.
@@ -53,7 +53,8 @@ bool foot(const VoxelField& field, const Eigen::Vector3d& p_O, Anchor& anchor) {
 void slide(const VoxelField& field, const Eigen::Vector3d& step_O, Anchor& anchor) {
   // Voxel by voxel, so that it stays on its sheet and turns with it.
   const double length = step_O.norm();
-  const int moves = std::clamp(int(std::ceil(length / field.grid().spacing)), 1, most_moves);
+  if (!std::isfinite(length)) return;
+  const int moves = int(std::clamp(std::ceil(length / field.grid().spacing), 1.0, most_moves));
   const double stride = length / moves;
   Eigen::Vector3d direction = length > 0 ? Eigen::Vector3d(step_O / length) : step_O;
   for (int i = 0; i < moves; ++i) {

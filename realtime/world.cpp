@@ -35,16 +35,17 @@ World::World(const Scene& scene, const Options& options)
   body_ = make_rigid_body(scene.bodies.front());
   const std::size_t slots = contacts_.size();
   paths_.resize(scene.hands.size());
+  now_.resize(scene.hands.size());
+  next_.resize(scene.hands.size());
   for (const PatchSlot& patch : contacts_.patches)
     proximity_.emplace_back(scene.hands[patch.hand].motion->model().shape(patch.phalanx));
   samples_.resize(slots);
   slots_.reserve(slots);
   patch_of_slot_.resize(slots);
   for (std::size_t p = 0; p < contacts_.patches.size(); ++p)
-    for (int i = 0; i < contacts_.patches[p].count; ++i)
-      patch_of_slot_[std::size_t(contacts_.patches[p].first + i)] = int(p);
+    for (int i = 0; i < contacts_.patches[p].count; ++i) patch_of_slot_[contacts_.patches[p].slot(i)] = int(p);
   events_.reserve(slots * std::size_t(options.substeps));
-  start_height_ = -scene.gravity.dot(body_.center_W());
+  start_height_ = -scene.gravity.dot(body_.center());
 }
 
 const VoxelField& World::field() const { return *scene_.bodies.front().field; }
@@ -67,7 +68,8 @@ void World::observe(double dt, const std::vector<HandFrame>& hands) {
 
 void World::start(double dt, const std::vector<HandFrame>& hands) {
   observe(dt, hands);
-  now_ = next_ = hands;
+  place_hands(1);
+  now_ = next_;
   for (const PatchSlot& patch : contacts_.patches) {
     if (!patch.given) continue;
     const HandFrame& hand = now_[patch.hand];
@@ -76,11 +78,14 @@ void World::start(double dt, const std::vector<HandFrame>& hands) {
     const auto given = std::find_if(source.given.begin(), source.given.end(),
                                     [&](const GivenPatch& g) { return g.phalanx == patch.phalanx; });
     for (int i = 0; i < patch.count; ++i) {
-      const std::size_t slot = std::size_t(patch.first + i);
+      const std::size_t slot = patch.slot(i);
       const SampleStart begin = given->start.empty() ? SampleStart{} : given->start[i];
       const Eigen::Vector3d p_O = body_.X_WO.inverse() * (hand.X_WP[patch.phalanx] * contacts_.p_P[slot]);
-      if (!place_anchor(slot, p_O, p_O - body_.X_WO.R.conjugate() * begin.lag_W)) continue;
-      if (contacts_.depth[slot] > 0) contacts_.mode[slot] = begin.slipping ? Mode::slip : Mode::stick;
+      const bool near = place_anchor(slot, p_O, p_O - body_.X_WO.R.conjugate() * begin.lag_W);
+      if (near && contacts_.depth[slot] > 0)
+        contacts_.mode[slot] = begin.slipping ? Mode::slip : Mode::stick;
+      else
+        place_anchor(slot, p_O, p_O);  // outside: nothing to lag behind
     }
   }
   detect(0);
@@ -109,38 +114,46 @@ void World::place_hands(double fraction) {
 }
 
 void World::substep(double h) {
-  gather(h);
-  const bool moves = body_.moves(t_ + h);
+  const bool held = body_.held(t_ + h);
+  const Eigen::Vector3d gravity = held ? Eigen::Vector3d::Zero() : scene_.gravity;
+  const double drag = held ? 1 / support_time : 0;
+  gather(h, gravity);
   const SolverReport report =
-      solve_velocity(body_, moves, external_force(body_, scene_.gravity), h, scene_.bodies.front().friction, samples_,
+      solve_velocity(body_, external_force(body_, gravity), drag, h, scene_.bodies.front().friction, samples_,
                      slots_.size(), options_.solver, velocity_);
   if (!report.converged) ++unconverged_;
-  if (moves) move(body_, velocity_, h);
+  if (body_.moves()) move(body_, velocity_, h);
+  if (!body_.X_WO.p.allFinite()) return;  // diverged: the pose says so, and no query of the surface has an answer
   scatter(h);
+  if (held && body_.moves()) {  // the oil takes, the carrier of the weight gives
+    dissipated_ += h * drag * velocity_.dot(mass_matrix(body_) * velocity_);
+    hand_work_ -= h * body_.mass * scene_.gravity.dot(body_.v);
+  }
   detect(h);
 }
 
-/// Packs every sample that touches or may touch during the step.
-void World::gather(double h) {
+/// Packs every sample in contact, and those that would be inside at the end of the step if nothing held the body back:
+/// k d + c d' > 0 alone would let a damper push before the surface is reached.
+void World::gather(double h, const Eigen::Vector3d& gravity) {
   slots_.clear();
-  const Eigen::Vector3d center = body_.center_W();
+  const Eigen::Vector3d center = body_.center();
+  const Eigen::Vector3d v_free = body_.moves() ? Eigen::Vector3d(body_.v + h * gravity) : Eigen::Vector3d::Zero();
+  const Eigen::Vector3d w_free = body_.moves() ? body_.w : Eigen::Vector3d::Zero();
   for (const PatchSlot& patch : contacts_.patches) {
     if (!patch.active || !next_[patch.hand].present) continue;
     const Pose& X_WP0 = now_[patch.hand].X_WP[patch.phalanx];
     const Pose& X_WP1 = next_[patch.hand].X_WP[patch.phalanx];
     for (int i = 0; i < patch.count; ++i) {
-      const std::size_t slot = std::size_t(patch.first + i);
+      const std::size_t slot = patch.slot(i);
       if (contacts_.mode[slot] == Mode::apart && !contacts_.near[slot]) continue;
       const Eigen::Vector3d p0 = X_WP0 * contacts_.p_P[slot];
       const Eigen::Vector3d p1 = X_WP1 * contacts_.p_P[slot];
       const Eigen::Vector3d C = body_.X_WO * contacts_.C_O[slot];
+      const Eigen::Vector3d n = body_.X_WO.R * contacts_.n_O[slot];
+      const Eigen::Vector3d C_free = C + h * (v_free + w_free.cross(C - center));
+      if (contacts_.mode[slot] == Mode::apart && (p1 - C_free).dot(n) >= 0) continue;
       StepSample& s = samples_[slots_.size()];
-      s.element = {scene_.contact.stiffness,
-                   scene_.contact.damping,
-                   h,
-                   body_.X_WO.R * contacts_.n_O[slot],
-                   p1 - C,
-                   (p1 - p0) / h};
+      s.element = {scene_.contact.stiffness, scene_.contact.damping, h, n, p1 - C, (p1 - p0) / h};
       s.arm = C - center;
       s.sliding = contacts_.mode[slot] == Mode::slip;
       slots_.push_back(slot);
@@ -151,12 +164,12 @@ void World::gather(double h) {
 /// Writes forces, modes and anchors back, and keeps the energy book.
 void World::scatter(double h) {
   for (std::size_t i = 0; i < slots_.size(); ++i) update_anchor(slots_[i], samples_[i], h);
-  // Samples that were too far for the solve: hands that left, anchors that are yet to come.
+  // Samples that are apart, or whose hand left.
   for (const PatchSlot& patch : contacts_.patches) {
     if (!patch.active) continue;
     const bool gone = !next_[patch.hand].present;
     for (int i = 0; i < patch.count; ++i) {
-      const std::size_t slot = std::size_t(patch.first + i);
+      const std::size_t slot = patch.slot(i);
       if (gone) {
         if (contacts_.mode[slot] != Mode::apart) dissipated_ += stored(slot);
         set_mode(slot, Mode::apart, h);
@@ -181,9 +194,9 @@ void World::update_anchor(std::size_t slot, const StepSample& s, double h) {
   const bool slides = s.sliding && s.trial.t_norm > mu_d * s.trial.N;
   const Eigen::Quaterniond R_OW = body_.X_WO.R.conjugate();
   Anchor anchor{contacts_.C_O[slot], contacts_.n_O[slot]};
-  const Eigen::Vector3d before = body_.X_WO.R * contacts_.lag_O[slot];
-  Eigen::Vector3d step = Eigen::Vector3d::Zero();  // of the anchor, as far as the surface let it
-  Eigen::Vector3d stretch = s.trial.v_t;           // rate of the lag
+  const Eigen::Vector3d before = s.trial.lag - h * s.trial.v_t;  // in W: the damper sees the lag's rate in W
+  Eigen::Vector3d step = Eigen::Vector3d::Zero();                // of the anchor, as far as the surface let it
+  Eigen::Vector3d stretch = s.trial.v_t;                         // rate of the lag
   if (slides) {
     const Eigen::Vector3d lag = lag_after_sliding(s.element, s.tangent, before);
     slide(field(), R_OW * (s.trial.lag - lag), anchor);
@@ -248,7 +261,7 @@ void World::seed(PatchSlot& patch, const Pose& X_OP, const Nearest& place) {
   const Patch points = seed_patch(patch.phalanx, X_OP, place, scene_.patch);
   patch.active = true;
   for (int i = 0; i < patch.count; ++i) {
-    const std::size_t slot = std::size_t(patch.first + i);
+    const std::size_t slot = patch.slot(i);
     contacts_.p_P.set(slot, points.p_P[i]);
     contacts_.mode[slot] = Mode::apart;
     const Eigen::Vector3d p_O = X_OP * points.p_P[i];
@@ -260,8 +273,8 @@ void World::seed(PatchSlot& patch, const Pose& X_OP, const Nearest& place) {
 void World::drop(PatchSlot& patch) {
   patch.active = false;
   for (int i = 0; i < patch.count; ++i) {
-    contacts_.mode[std::size_t(patch.first + i)] = Mode::apart;
-    contacts_.near[std::size_t(patch.first + i)] = false;
+    contacts_.mode[patch.slot(i)] = Mode::apart;
+    contacts_.near[patch.slot(i)] = false;
   }
 }
 
@@ -286,8 +299,8 @@ double World::stored(std::size_t slot) const {
 
 Energy World::energy() const {
   Energy e;
-  e.kinetic = 0.5 * body_.mass * body_.v.squaredNorm() + 0.5 * body_.w.dot(body_.inertia_W() * body_.w);
-  e.potential = body_.mass * (-scene_.gravity.dot(body_.center_W()) - start_height_);
+  e.kinetic = 0.5 * body_.mass * body_.v.squaredNorm() + 0.5 * body_.w.dot(body_.inertia() * body_.w);
+  e.potential = body_.mass * (-scene_.gravity.dot(body_.center()) - start_height_);
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     if (contacts_.mode[i] != Mode::apart) e.elastic += stored(i);
   }

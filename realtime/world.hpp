@@ -55,7 +55,7 @@ class World {
   void detect(double h);
   void seed(PatchSlot& patch, const Pose& X_OP, const Nearest& nearest);
   void drop(PatchSlot& patch);
-  void gather(double h);
+  void gather(double h, const Eigen::Vector3d& gravity);
   void scatter(double h);
   [[nodiscard]] const VoxelField& field() const;
   bool place_anchor(std::size_t slot, const Eigen::Vector3d& p_O, const Eigen::Vector3d& from_O);

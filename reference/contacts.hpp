@@ -27,7 +27,7 @@ struct Modes {
   std::vector<char> exists{};          ///< of every slot: its patch has been seeded or was given
   std::vector<Eigen::Vector3d> p_P{};  ///< of every slot: the sample's point in its phalanx [m]
   std::vector<char> present{};         ///< of every hand
-  bool held{false};                    ///< a support carries the body
+  bool held{false};                    ///< a support holds the body up
 };
 
 /// Anchors C in O, one column a slot [m]; those of apart samples mean nothing.

@@ -96,13 +96,39 @@ const Evaluation& ContactForce::checked(const SimTK::State& state) const {
 void ContactForce::calcForce(const SimTK::State& state, SimTK::Vector_<SimTK::SpatialVec>& body_forces,
                              SimTK::Vector_<SimTK::Vec3>&, SimTK::Vector&) const {
   const Evaluation& e = checked(state);
-  if (modes(state).held) return;
-  const Inertia& inertia = scene_.bodies.front().inertia;
-  const Eigen::Vector3d weight = inertia.mass * scene_.gravity;
-  const Eigen::Vector3d arm = to_eigen(body_.getBodyRotation(state)) * inertia.center;
-  const Eigen::Vector3d force = e.force_W + weight;
-  const Eigen::Vector3d torque = e.torque_W + arm.cross(weight);
+  const Body& body = scene_.bodies.front();
+  if (body.mobility == Mobility::fixed) return;  // a body at rest stays to the last bit
+  const Wrench other = modes(state).held ? support(state) : weight(state);
+  const Eigen::Vector3d force = e.force_W + other.force;
+  const Eigen::Vector3d torque = e.torque_W + other.torque;
   body_forces[body_.getMobilizedBodyIndex()] += SimTK::SpatialVec(to_simbody(torque), to_simbody(force));
+}
+
+Eigen::Vector3d ContactForce::arm(const SimTK::State& state) const {
+  return to_eigen(body_.getBodyRotation(state)) * scene_.bodies.front().inertia.center;
+}
+
+ContactForce::Wrench ContactForce::weight(const SimTK::State& state) const {
+  const Eigen::Vector3d force = scene_.bodies.front().inertia.mass * scene_.gravity;
+  return {force, arm(state).cross(force)};
+}
+
+/// Thick oil; the weight is carried.
+ContactForce::Wrench ContactForce::support(const SimTK::State& state) const {
+  const Inertia& inertia = scene_.bodies.front().inertia;
+  const BodyMotion m = motion(state);
+  const Eigen::Vector3d v = m.v_WO + m.w_WO.cross(arm(state));  // of the centre of mass
+  const Eigen::Vector3d force = -inertia.mass / support_time * v;
+  const Eigen::Vector3d spin = m.R_WO * (inertia.about_center * (m.R_WO.transpose() * m.w_WO));
+  return {force, arm(state).cross(force) - spin / support_time};
+}
+
+/// Power that the oil takes, and that the carrier of the weight gives [W].
+Work ContactForce::support_power(const SimTK::State& state) const {
+  if (!modes(state).held || scene_.bodies.front().mobility == Mobility::fixed) return {};
+  const BodyMotion m = motion(state);
+  const Wrench oil = support(state), carried = weight(state);
+  return {-oil.force.dot(m.v_WO) - oil.torque.dot(m.w_WO), -carried.force.dot(m.v_WO) - carried.torque.dot(m.w_WO)};
 }
 
 void ContactForce::realizeAcceleration(const SimTK::State& state) const {
@@ -111,8 +137,9 @@ void ContactForce::realizeAcceleration(const SimTK::State& state) const {
   int i = first_z_;
   for (const Sample& s : e.samples)
     for (int axis = 0; axis < 3; ++axis) z_dot[i++] = s.response.anchor_rate[axis];
-  z_dot[i++] = e.dissipation;
-  z_dot[i++] = e.hand_power;
+  const Work support = support_power(state);
+  z_dot[i++] = e.dissipation + support.dissipated;
+  z_dot[i++] = e.hand_power + support.hand;
 }
 
 Witness::Witness(const ContactForce& force, Kind kind, int index, double time_window)

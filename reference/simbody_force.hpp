@@ -24,7 +24,8 @@ std::ostream& operator<<(std::ostream& out, const ModesVariable& variable);
 /// All contacts of the body, and its weight, as one Simbody force with auxiliary states: three coordinates of every
 /// anchor, then the two integrals of the energy book.
 ///
-/// A held body is given no force at all: its support balances whatever acts, and a body at rest stays to the last bit.
+/// A body held up by its support has no weight and moves as in thick oil (support_time); a fixed one is given no force
+/// at all.
 class ContactForce : public SimTK::Force::Custom::Implementation {
  public:
   ContactForce(const Scene& scene, Contacts& contacts, const SimTK::GeneralForceSubsystem& forces,
@@ -58,6 +59,14 @@ class ContactForce : public SimTK::Force::Custom::Implementation {
     Evaluation evaluation{};
   };
 
+  struct Wrench {  // about O's origin, in W
+    Eigen::Vector3d force{}, torque{};
+  };
+
+  [[nodiscard]] Eigen::Vector3d arm(const SimTK::State& state) const;  // from O's origin to the centre of mass, in W
+  [[nodiscard]] Wrench weight(const SimTK::State& state) const;
+  [[nodiscard]] Wrench support(const SimTK::State& state) const;
+  [[nodiscard]] Work support_power(const SimTK::State& state) const;
   [[nodiscard]] const ModesVariable& variable(const SimTK::State& state) const;
   [[nodiscard]] const Evaluation& checked(const SimTK::State& state) const;
 

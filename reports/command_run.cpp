@@ -114,7 +114,8 @@ void add_source(CLI::App& command, SceneRequest& request) {
       ->needs(mesh)
       ->capture_default_str();
   command
-      .add_option("--held-until", request.held_until, "a support keeps the object in place until then [s of the scene]")
+      .add_option("--held-until", request.held_until,
+                  "a support holds the object up, as in thick oil, until then [s of the scene]")
       ->check(number_in(0, 3600))
       ->needs(mesh);
   command.add_option("--hand", request.hand, "which hand of the trace, from 0")

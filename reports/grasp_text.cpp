@@ -12,11 +12,14 @@ namespace {
 std::string hold_text(const compare::GraspSummary& s) {
   switch (s.hold) {
     case compare::Hold::held:
-      return fmt::format("held to the end, drifted {}", readable(s.drift, "m"));
+      return fmt::format("held to the end, {} by the hand alone, drifted {}", readable(s.carried, "s"),
+                         readable(s.drift, "m"));
     case compare::Hold::slipped:
       return fmt::format("in the hand to the end, but slipped: drifted {}", readable(s.drift, "m"));
     case compare::Hold::dropped:
-      return s.dropped_at ? fmt::format("dropped, last contact ends at t = {} s", number(*s.dropped_at, 4)) : "dropped";
+      return s.dropped_at ? fmt::format("carried by the hand alone for {}, dropped: last contact ends at t = {} s",
+                                        readable(s.carried, "s"), number(*s.dropped_at, 4))
+                          : "dropped";
     case compare::Hold::never_touched:
       return "the hand never touched the object";
   }

@@ -26,6 +26,8 @@ std::pair<std::string, double> parameter(const std::string& source, const std::s
   return {text.substr(0, equals), value};
 }
 
+bool is_shape(const std::string& source) { return source.rfind(shape_prefix, 0) == 0; }
+
 Mesh shape(const std::string& source) {
   std::istringstream words(source.substr(shape_prefix.size()));
   std::string kind, word;
@@ -38,13 +40,21 @@ Mesh shape(const std::string& source) {
 }  // namespace
 
 ImportedMesh read_object(const std::string& source, double scale) {
-  if (source.rfind(shape_prefix, 0) != 0) return import_mesh(source, scale);
+  if (!is_shape(source)) return import_mesh(source, scale);
   ImportedMesh out;
   out.source = source;
   out.scale = scale;
   out.mesh = shape(source);
   for (Eigen::Vector3d& vertex : out.mesh.vertices) vertex *= scale;
   out.repair = repair(out.mesh);
+  return out;
+}
+
+ImportedObject load_object(const std::string& source, double scale) {
+  if (!is_shape(source)) return import_object(source, scale);
+  ImportedObject out;
+  out.mesh = read_object(source, scale);
+  out.field = voxelize(out.mesh.mesh);
   return out;
 }
 

@@ -8,7 +8,7 @@
 
 #include "cases/catalogue/case.hpp"
 #include "cases/error.hpp"
-#include "cases/geometry/voxelizer.hpp"
+#include "cases/geometry/field_cache.hpp"
 #include "cases/hand/trace_reader.hpp"
 #include "cases/scene/materials.hpp"
 #include "cases/scene/moved_trace.hpp"
@@ -37,7 +37,8 @@ std::string mesh_remarks(const ImportedMesh& imported) {
 std::string file_remarks(const SceneSpec& spec, const fs::path& base) {
   std::string out;
   for (const BodySpec& body : spec.bodies) {
-    if (!body.mesh.empty()) out += mesh_remarks(import_mesh(base / body.mesh, body.scale));
+    if (!body.mesh.empty())
+      out += mesh_remarks(import_object(base / body.mesh, body.scale, {body.voxel_size, body.band}).mesh);
   }
   for (const HandSpec& hand : spec.hands) out += trace_remarks(read_trace((base / hand.trace).string()));
   return out;
@@ -79,13 +80,13 @@ std::string short_name(const std::string& object) {
   return object.rfind("shape:", 0) == 0 ? object.substr(0, object.find(',')) : fs::path(object).stem().string();
 }
 
-Body make_body(const SceneRequest& request, const ImportedMesh& imported) {
+Body make_body(const SceneRequest& request, const ImportedObject& object) {
   const Material& stuff = material(request.material);
-  const SolidProperties solid = solid_properties(imported.mesh);
+  const SolidProperties solid = solid_properties(object.mesh.mesh);
   const double density = request.mass ? *request.mass / solid.volume : request.density.value_or(stuff.density);
   Body body;
   body.name = short_name(request.object);
-  body.field = voxelize(imported.mesh);
+  body.field = object.field;
   body.inertia = {density * solid.volume, solid.center, density * solid.inertia};
   body.friction = stuff.friction();
   return body;
@@ -120,10 +121,10 @@ NamedScene from_trace(const SceneRequest& request) {
     throw InputError(fmt::format("{}: has {} hands, no number {} (0 is the first)", request.trace_file,
                                  trace.hands.size(), request.hand));
   }
-  const ImportedMesh imported = read_object(request.object, request.scale);
+  const ImportedObject object = load_object(request.object, request.scale);
   NamedScene out{short_name(request.object) + " in " + fs::path(request.trace_file).filename().string(), {}, ""};
-  out.remarks = mesh_remarks(imported) + trace_remarks(trace);
-  Body body = make_body(request, imported);
+  out.remarks = mesh_remarks(object.mesh) + trace_remarks(trace);
+  Body body = make_body(request, object);
   const double start = place(request, trace, body, out.remarks);
   if (request.held_until) body.held_until = *request.held_until;
   Hand hand;

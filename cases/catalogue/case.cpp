@@ -33,8 +33,11 @@ Limit reference_limit(double magnified, const std::string& why) {
 
 Limit exact_limit() { return {.value = 0, .reason = "yes or no: nothing to tolerate"}; }
 
-Limit one_frame_limit() {
-  return {.per_frame = 1, .reason = "a change of mode shows at the end of its frame", .resolution = 1e-3};
+Limit event_limit(double substeps, const std::string& why) {
+  return {.per_substep = substeps + 0.01,
+          .reason = "a change of mode shows at the end of its sub-step, + 1 % for rounding at its edge" +
+                    (why.empty() ? why : "; " + why),
+          .resolution = 1e-3};
 }
 
 Limit euler_bias_limit(double change) {

@@ -43,16 +43,15 @@ struct Measure {
 struct Limit {
   double value{};  ///< in the quantity's unit, or a fraction of the truth
   double
-      per_substep{};   ///< times the sub-step h of a stepped engine [unit/s]: a first-order bound scales with its step
-  double per_frame{};  ///< times the frame [unit/s]
+      per_substep{};  ///< times the sub-step h of a stepped engine [unit/s]: a first-order bound scales with its step
   bool relative{false};
   std::string reason{};  ///< why this much: a formula, not a wish
   double resolution{};   ///< smallest error that means anything, in the limit's unit; what is below it is luck
 };
 
-/// The limit for an engine that steps by `substep` and shows frames of `frame` seconds.
-[[nodiscard]] inline double limit_for(const Limit& limit, double substep, double frame) {
-  return limit.value + limit.per_substep * substep + limit.per_frame * frame;
+/// The limit for an engine that steps by `substep` [s]; 0 for one that controls its error.
+[[nodiscard]] inline double limit_for(const Limit& limit, double substep) {
+  return limit.value + limit.per_substep * substep;
 }
 
 /// One true number of a case.

@@ -15,8 +15,8 @@ namespace handhold::catalogue {
 
 // Limits shared by the cases.
 
-/// The reference integrates to 1e-10 a step, of its largest state, and locates events to 1e-9 s or better: ten times that much of
-/// the truth is allowed where nothing magnifies it.
+/// The reference integrates to 1e-10 a step, of its largest state, and locates events to 1e-9 s or better: ten times
+/// that much of the truth is allowed where nothing magnifies it.
 [[nodiscard]] Limit reference_limit();
 
 /// The same where the truth hangs on a slow crossing or a small difference: `magnified` times as much, and why.
@@ -25,11 +25,11 @@ namespace handhold::catalogue {
 /// Yes or no: nothing to tolerate.
 [[nodiscard]] Limit exact_limit();
 
-/// A change of mode shows at the end of the frame in which it happens.
-[[nodiscard]] Limit one_frame_limit();
+/// A change of mode shows at the end of the sub-step in which it happens; `substeps` above 1 need a reason.
+[[nodiscard]] Limit event_limit(double substeps = 1, const std::string& why = "");
 
-/// Bias of a semi-implicit Euler step after a phase of acceleration that changed the speed by `change`: ½ change h
-/// (catalogue case R03: exact), with 2 % for the onset's own step.
+/// Bias of a semi-implicit Euler step after a phase of acceleration that changed the object's speed by `change`: ½
+/// change h (catalogue case R03: exact), with 2 % for the onset's own step.
 [[nodiscard]] Limit euler_bias_limit(double change);
 
 }  // namespace handhold::catalogue

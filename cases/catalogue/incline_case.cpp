@@ -17,8 +17,8 @@ const Eigen::Vector3d down_hill = Eigen::Vector3d::UnitX();
 
 closed_form::Incline incline(double slope) { return {.slope = slope, .gravity = 9.81, .friction = friction}; }
 
-/// The palm stays level and gravity leans by θ. The springs start at the load of rest, or at the kinetic lag when it
-/// slides.
+/// The palm stays level and gravity leans by θ. The springs start at the load of rest or, to slide at once, at the lag
+/// of breakaway (at the kinetic lag they would stick).
 Scene scene(double slope, double duration, bool sliding) {
   Scene scene;
   scene.name = fmt::format("C01 incline {:.6g} rad", slope);
@@ -100,7 +100,7 @@ Case incline_case() {
           .statement = "A 0.2 kg block on a palm tilted by th = 0.5 rad is let go; mu_s = 0.5, mu_d = 0.4.",
           .formula = "holds iff tan th <= mu_s; else a = g (sin th - mu_d cos th), t = sqrt(2 D / a), v = sqrt(2 a D)",
           .note =
-              "k = 500 N/m, c = 0.5 N s/m, 8 samples, rotation locked. Started at rest on the cone, normal force and "
+              "k = 500 N/m, c = 0.5 N s/m, 8 samples, rotation locked. Started at rest and slipping, normal force and "
               "kinetic "
               "friction never change, so the compliant element (L2) moves exactly as L1.",
           .runs = {sliding_run(0.5), threshold_run(0.98), threshold_run(1.02)}};

@@ -65,7 +65,7 @@ Case spin_down_case() {
                        .source = "L2: I w0 / T, T = 2 mu N sqrt(a^2 - rho^2), rho = mu N / K",
                        .measure = {.kind = Measure::Kind::event_time, .event = EventKind::restick},
                        .reference = reference_limit(),
-                       .realtime = one_frame_limit()},
+                       .realtime = event_limit()},
                       {.quantity = "angle at the stop",
                        .unit = "rad",
                        .truth = stop_angle(s, ring_patch),

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "cases/catalogue/families.hpp"
 #include "cases/catalogue/scenes.hpp"
 #include "cases/closed_form/stopping.hpp"
@@ -43,6 +45,9 @@ Case stopping_case() {
   const closed_form::Stopping s = stopping();
   const double duration = 0.5;
   const double mid = 15.0 / 90;  // in the slide, on a frame
+  // What is left of the ring-down at the end; the real-time path's phase is anyone's guess.
+  const double swing =
+      (stop_distance(s) - rest_distance(s)) * std::exp(-s.damping / (2 * s.mass) * (duration - stop_time(s)));
   Run run{.name = "stops", .scene = [=] { return scene(duration); }};
   run.expectations = {
       {.quantity = "stop time",
@@ -51,7 +56,7 @@ Case stopping_case() {
        .source = "L1 = L2: t = v0 / (mu_d g)",
        .measure = {.kind = Measure::Kind::event_time, .event = EventKind::restick},
        .reference = reference_limit(),
-       .realtime = one_frame_limit()},
+       .realtime = event_limit()},
       {.quantity = "slip at the stop",
        .unit = "m",
        .truth = stop_distance(s),
@@ -73,9 +78,10 @@ Case stopping_case() {
        .source = "L2: D - rho + rho exp(-delta tau) (cos w tau + delta/w sin w tau), rho = mu_d m g / K",
        .measure = {.kind = Measure::Kind::displacement, .axis = along, .at = duration},
        .reference = reference_limit(10, "the phase of the ring-down adds to the stop"),
-       .realtime = {.value = 2 * (stop_distance(s) - rest_distance(s)),
-                    .per_substep = 0.51 * s.speed,
-                    .reason = "bias at the stop (R03) + the swing of the springs, whose phase one step may miss"}}};
+       .realtime = {
+           .value = 2 * swing,
+           .per_substep = 0.51 * s.speed,
+           .reason = "bias at the stop (R03) + twice the swing of the springs, rho exp(-delta tau), that is left"}}};
   run.curve =
       Curve{"slip [m]", {.kind = Measure::Kind::displacement, .axis = along}, [s](double t) { return distance(s, t); }};
   return {.id = "C03",

@@ -1,5 +1,6 @@
 #include "cases/geometry/mesh_prescan.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -72,6 +73,13 @@ class Lines {
   const std::string& file_;
   int number_ = 0;
 };
+
+/// Words of a damaged header may be anything.
+std::string printable(std::string_view word) {
+  std::string text(word.substr(0, 20));
+  for (char& c : text) c = c < ' ' || c > '~' ? '?' : c;
+  return text;
+}
 
 [[noreturn]] void fail(const std::string& file, const std::string& rule, const char* advice) {
   throw InputError(fmt::format("{}: {} ({})", file, rule, advice));
@@ -208,6 +216,9 @@ MeshPrescan scan_ply(std::string_view bytes, const std::string& file) {
   for (std::string_view key; key != "end_header";) {
     if (!lines.next()) lines.fail("no 'end_header'", "is the file truncated?");
     key = lines.word();
+    const auto known = {"format", "comment", "obj_info", "element", "property", "end_header"};
+    if (std::find(known.begin(), known.end(), key) == known.end())
+      lines.fail(fmt::format("a PLY header has no '{}'", printable(key)), "is the file damaged?");
     if (key == "format") text = lines.word() == "ascii";
     if (key != "element") continue;
     const std::string_view what = lines.word();

@@ -74,12 +74,14 @@ struct Collector {
   }
 };
 
-// Assimp's own processing steps trust every index: look at them first.
+// Assimp's own processing steps trust every index, and abort on polygons without corners: look at them first.
 void check_indices(const aiScene& scene, const fs::path& file) {
   for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
     const aiMesh& part = *scene.mMeshes[m];
+    if (part.mNumFaces == 0) fail(file, fmt::format("its mesh {} has no faces", m), "is it damaged?");
     for (unsigned f = 0; f < part.mNumFaces; ++f) {
       const aiFace& face = part.mFaces[f];
+      if (face.mNumIndices == 0) fail(file, fmt::format("face {} has no corners", f), "is it damaged?");
       for (unsigned c = 0; c < face.mNumIndices; ++c) {
         if (face.mIndices[c] < part.mNumVertices) continue;
         fail(file, fmt::format("face {} names vertex {}, there are {}", f, face.mIndices[c], part.mNumVertices),

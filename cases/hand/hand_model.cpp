@@ -16,6 +16,8 @@ constexpr std::array<std::string_view, phalanx_count> names{
 
 }  // namespace
 
+std::string_view to_string(Side side) { return side == Side::left ? "left" : "right"; }
+
 std::string_view phalanx_name(int phalanx) { return names.at(static_cast<std::size_t>(phalanx)); }
 
 int phalanx_from_name(std::string_view name) {

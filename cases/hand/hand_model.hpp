@@ -10,6 +10,9 @@ namespace handhold {
 
 enum class Side { left, right };
 
+/// "left" or "right", as all files say it.
+[[nodiscard]] std::string_view to_string(Side side);
+
 inline constexpr int phalanx_count = 16;
 inline constexpr int palm =
     15;  ///< phalanges 0 to 14 are 3 * finger + bone, finger: thumb 0 ... little 4, bone: proximal first

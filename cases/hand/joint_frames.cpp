@@ -200,7 +200,7 @@ TraceHand hand_from_joints(Side side, const std::vector<std::optional<HandJoints
   }
   if (dropped > 0) {
     warnings.push_back(fmt::format("{} hand: {} of {} frames have missing or degenerate joints and count as lost",
-                                   side == Side::right ? "right" : "left", dropped, frames.size()));
+                                   to_string(side), dropped, frames.size()));
   }
   TraceHand hand{side, measure(usable, tip), std::vector<HandSample>(frames.size())};
   const bool any = std::any_of(usable.begin(), usable.end(), [](const auto& frame) { return frame.has_value(); });

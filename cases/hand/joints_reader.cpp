@@ -27,6 +27,10 @@ std::string text_or(const json& object, const char* name, const char* otherwise)
 }
 
 Format read_format(const json& recording, const std::string& path) {
+  for (const char* name : {"format", "unit", "up"}) {
+    if (recording.contains(name) && !recording[name].is_string())
+      throw InputError(fmt::format("{}: \"{}\" is no text (put it in quotes)", path, name));
+  }
   try {
     return {
         joint_set(text_or(recording, "format", "")),

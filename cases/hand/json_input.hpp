@@ -26,6 +26,8 @@ inline nlohmann::json parse_json(std::string_view text, const std::string& path)
     const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(byte), '\n');
     throw InputError(
         fmt::format("{}:{}, byte {}: this is not JSON (the file is damaged: fetch it again)", path, line, byte));
+  } catch (const nlohmann::json::out_of_range&) {
+    throw InputError(fmt::format("{}: a number in it is beyond 1e308 (correct it)", path));
   }
   throw InputError(fmt::format("{}: the JSON text is no object (is it a recording?)", path));
 }

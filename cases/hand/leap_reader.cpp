@@ -18,11 +18,12 @@ namespace {
 using nlohmann::json;
 
 const SourceFrame leap_frame{1000, 'y', false};
+constexpr int deepest = 8;  // frame, pointables, a pointable, a list in it: more levels are no recording
 
 /// An array of values with the given columns, as the object it stands for. A column is a name, or an object whose one
 /// member names the columns of a nested object ([...]) or of a list of them ([[...]]).
-json unpack(const json& columns, const json& row, const std::string& where) {
-  if (!columns.is_array() || !row.is_array() || row.size() > columns.size()) {
+json unpack(const json& columns, const json& row, const std::string& where, int depth = 0) {
+  if (!columns.is_array() || !row.is_array() || row.size() > columns.size() || depth > deepest) {
     throw InputError(
         fmt::format("{}: a packed row does not fit the columns of the first frame (record it again)", where));
   }
@@ -35,11 +36,11 @@ json unpack(const json& columns, const json& row, const std::string& where) {
     for (const auto& [name, nested] : columns[i].items()) {
       const bool list = nested.is_array() && !nested.empty() && nested[0].is_array();
       if (!list) {
-        object[name] = unpack(nested, row[i], where);
+        object[name] = unpack(nested, row[i], where, depth + 1);
         continue;
       }
       object[name] = json::array();
-      for (const json& item : row[i]) object[name].push_back(unpack(nested[0], item, where));
+      for (const json& item : row[i]) object[name].push_back(unpack(nested[0], item, where, depth + 1));
     }
   }
   return object;

@@ -2,13 +2,18 @@
 
 #include <filesystem>
 #include <fstream>
-#include <iterator>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "cases/error.hpp"
 
 namespace handhold {
+namespace {
+
+constexpr std::size_t largest_file = std::size_t{512} << 20;  // half an hour of a hand takes a tenth of it
+
+}  // namespace
 
 std::string read_text_file(const std::string& path) {
   std::error_code ignored;
@@ -17,7 +22,13 @@ std::string read_text_file(const std::string& path) {
   }
   std::ifstream file(path, std::ios::binary);
   if (!file) throw InputError(fmt::format("{}: cannot be read (check the path and the permissions)", path));
-  return {std::istreambuf_iterator<char>(file), {}};
+  std::string text;
+  std::vector<char> block(std::size_t{1} << 20);
+  while (file.read(block.data(), static_cast<std::streamsize>(block.size())) || file.gcount() > 0) {  // also of a pipe
+    text.append(block.data(), static_cast<std::size_t>(file.gcount()));
+    if (text.size() > largest_file) throw InputError(fmt::format("{}: more than 512 MiB (cut the recording)", path));
+  }
+  return text;
 }
 
 std::string stem_of(const std::string& path) {

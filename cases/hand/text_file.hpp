@@ -4,7 +4,7 @@
 
 namespace handhold {
 
-/// The whole file; throws InputError if it cannot be read or is a folder.
+/// The whole file (or pipe); throws InputError if it cannot be read, is a folder, or holds more than 512 MiB.
 [[nodiscard]] std::string read_text_file(const std::string& path);
 
 /// "grab" of "recordings/grab.json.lz".

@@ -10,6 +10,8 @@ namespace handhold {
 namespace {
 
 constexpr double unit_tolerance = 1e-6;  // single precision in a file leaves 1e-7
+constexpr double latest = 1e11;          // [s]: clocks count 1.8e9 since 1970; more is a wrong unit
+constexpr double farthest = 1000;        // from the origin [m]: no tracker sees so far, but a wrong unit does
 
 std::string where(const Trace& trace) { return fmt::format("trace \"{}\"", trace.name); }
 
@@ -17,6 +19,10 @@ void check_time(const Trace& trace) {
   for (std::size_t i = 0; i < trace.t.size(); ++i) {
     if (!std::isfinite(trace.t[i])) {
       throw InputError(fmt::format("{}: time stamp {} is not finite (drop the frame)", where(trace), i));
+    }
+    if (std::abs(trace.t[i]) > latest) {
+      throw InputError(
+          fmt::format("{}: time stamp {} is {:g} s (check the unit of time)", where(trace), i, trace.t[i]));
     }
     if (i > 0 && trace.t[i] <= trace.t[i - 1]) {
       throw InputError(
@@ -26,8 +32,18 @@ void check_time(const Trace& trace) {
   }
 }
 
+void check_confidence(const Trace& trace, double confidence, std::size_t hand, std::size_t sample) {
+  if (confidence >= 0 && confidence <= 1) return;  // false for NaN
+  throw InputError(fmt::format("{}: hand {}, sample {}: confidence {} must be 0 to 1 (scale it, or give 1)",
+                               where(trace), hand, sample, confidence));
+}
+
 void check_pose(const Trace& trace, const Pose& X_WP, std::size_t hand, std::size_t sample, int phalanx) {
   const double norm = X_WP.R.norm();
+  if (X_WP.p.allFinite() && X_WP.p.cwiseAbs().maxCoeff() > farthest) {
+    throw InputError(fmt::format("{}: hand {}, sample {}, {} lies farther than {} m from the origin (check the unit)",
+                                 where(trace), hand, sample, phalanx_name(phalanx), farthest));
+  }
   if (X_WP.p.allFinite() && std::isfinite(norm) && std::abs(norm - 1) <= unit_tolerance) return;
   throw InputError(
       fmt::format("{}: hand {}, sample {}, {} has a pose that is not finite or a quaternion of norm {:.9g} "
@@ -47,6 +63,7 @@ void validate(const Trace& trace) {
     }
     for (std::size_t i = 0; i < samples.size(); ++i) {
       if (!samples[i].tracked) continue;
+      check_confidence(trace, samples[i].confidence, h, i);
       for (int phalanx = 0; phalanx < phalanx_count; ++phalanx) {
         check_pose(trace, samples[i].X_WP[static_cast<std::size_t>(phalanx)], h, i, phalanx);
       }

@@ -34,8 +34,9 @@ struct Trace {
   std::vector<std::string> warnings{};  ///< what a reader dropped or repaired, one sentence each
 };
 
-/// Throws InputError unless time is finite and strictly increasing, every hand has one sample a stamp, and every
-/// tracked pose is finite with a unit quaternion (within 1e-6).
+/// Throws InputError unless time is finite, below 1e11 s and strictly increasing, every hand has one sample a stamp,
+/// and every tracked sample a confidence of 0 to 1 and poses that are finite, within 1 km of the origin, with unit
+/// quaternions (within 1e-6).
 void validate(const Trace& trace);
 
 }  // namespace handhold

@@ -9,12 +9,6 @@
 #include "cases/error.hpp"
 
 namespace handhold {
-namespace {
-
-const char* to_text(Side side) { return side == Side::left ? "left" : "right"; }
-
-}  // namespace
-
 TraceAssembler::TraceAssembler(std::string name, std::string source_frame, TipPlace tip)
     : trace_{std::move(name), std::move(source_frame), {}, {}, {}}, tip_(tip) {}
 
@@ -59,10 +53,11 @@ void TraceAssembler::report(Side side) {
   std::vector<long> ids = seen.ids;
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   if (ids.size() > 1) {
-    warn(fmt::format("{} hand: the tracker's id changed ({}); taken as one hand", to_text(side), fmt::join(ids, ", ")));
+    warn(fmt::format("{} hand: the tracker's id changed ({}); taken as one hand", to_string(side),
+                     fmt::join(ids, ", ")));
   }
   if (seen.doubles > 0) {
-    warn(fmt::format("{} hand: seen twice in {} frames; the one already followed was kept", to_text(side),
+    warn(fmt::format("{} hand: seen twice in {} frames; the one already followed was kept", to_string(side),
                      seen.doubles));
   }
 }

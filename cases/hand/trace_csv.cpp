@@ -1,9 +1,11 @@
 #include "cases/hand/trace_csv.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bitset>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -39,8 +41,6 @@ double ticks_per_second(std::string_view unit, const std::string& where) {
   throw InputError(fmt::format("{}: time \"{}\" is unknown (use s, ms, us or ns)", where, unit));
 }
 
-const char* to_text(Side side) { return side == Side::left ? "left" : "right"; }
-
 /// One hand at the stamp being read.
 struct Pending {
   HandSample sample{};
@@ -67,8 +67,15 @@ class CsvReader {
     warn(repeated_, "phalanges are given twice at one time stamp; the later ones were dropped");
     warn(incomplete_, "hand samples lack a phalanx and count as lost");
     warn(broken_, "hand samples have numbers that are not finite and count as lost");
+    for (std::size_t hand = 0; hand < named_.size(); ++hand) {
+      if (!named_[hand])
+        fail_file(fmt::format("there are {} hands, but no line of hand {} (count from 0)",
+                              std::count(named_.begin(), named_.end(), true), hand));
+    }
     for (auto& [hand, model] : models_) {
-      if (hand < static_cast<int>(trace_.hands.size())) trace_.hands[static_cast<std::size_t>(hand)].model = model;
+      if (hand >= static_cast<int>(trace_.hands.size()))
+        fail_file(fmt::format("hand {} has a shape, but no line (remove the shape, or correct its number)", hand));
+      trace_.hands[static_cast<std::size_t>(hand)].model = model;
     }
     validate(trace_);
     return std::move(trace_);
@@ -132,22 +139,34 @@ class CsvReader {
     } else if (key == "name") {
       trace_.name = std::string(line.substr(line.find("name") + 5));
     } else if (key == "unit") {
+      require_first(key);
       frame_.per_metre = units_per_metre(words[2], where());
     } else if (key == "up") {
+      require_first(key);
       frame_.up = up_axis(words[2], where());
     } else if (key == "handedness") {
+      require_first(key);
       if (words[2] != "right" && words[2] != "left")
         fail(fmt::format("handedness \"{}\" is not right or left", words[2]));
       frame_.left_handed = words[2] == "left";
     } else if (key == "time") {
+      require_first(key);
       ticks_ = ticks_per_second(words[2], where());
-    } else if (key == "capsule" && words.size() == 6) {
+    } else if (key == "capsule") {
+      if (words.size() != 6) fail("a capsule has four fields (write # capsule, hand, phalanx, half length, radius)");
       const int bone = phalanx(words[3]);
       if (bone == palm) fail("the palm is no capsule (write # palm, hand and three half extents)");
       model(words[2]).capsules[static_cast<std::size_t>(bone)] = {length(words[4]), length(words[5])};
-    } else if (key == "palm" && words.size() == 6) {
+    } else if (key == "palm") {
+      if (words.size() != 6) fail("a palm has four fields (write # palm, hand and three half extents)");
       model(words[2]).palm_box.half_extents = {length(words[3]), length(words[4]), length(words[5])};
     }
+  }
+
+  /// What was read before would be in another unit or frame than what follows.
+  void require_first(std::string_view key) const {
+    if (trace_.t.empty() && models_.empty()) return;
+    fail(fmt::format("\"# {}\" stands below shapes or poses that it describes (move it to the top)", key));
   }
 
   [[nodiscard]] double length(std::string_view field) const {
@@ -193,10 +212,11 @@ class CsvReader {
     Eigen::Quaterniond q(v[3], v[4], v[5], v[6]);
     const Eigen::Vector3d p(v[0], v[1], v[2]);
     pending.sample.confidence = v[7];
-    if (!p.allFinite() || !q.coeffs().allFinite()) {
+    if (!p.allFinite() || !q.coeffs().allFinite() || !std::isfinite(v[7])) {
       pending.broken = true;
       return;
     }
+    if (v[7] < 0 || v[7] > 1) fail(fmt::format("confidence {} must be 0 to 1 (scale it)", v[7]));
     if (std::abs(q.norm() - 1) > 0.01)
       fail(fmt::format("quaternion of norm {:.6g} (normalise it: w, x, y, z)", q.norm()));
     if (std::abs(q.norm() - 1) > 1e-7) q.normalize();  // else keep the very numbers of the file
@@ -210,8 +230,8 @@ class CsvReader {
     }
     if (named_.size() <= index) named_.resize(index + 1);
     if (named_[index] && trace_.hands[index].side != side) {
-      fail(fmt::format("hand {} is {}, but was {} above (give each side its own number)", hand, to_text(side),
-                       to_text(trace_.hands[index].side)));
+      fail(fmt::format("hand {} is {}, but was {} above (give each side its own number)", hand, to_string(side),
+                       to_string(trace_.hands[index].side)));
     }
     trace_.hands[index].side = side;
     named_[index] = true;
@@ -265,12 +285,12 @@ std::string to_csv(const Trace& trace) {
       const TraceHand& hand = trace.hands[h];
       const HandSample& sample = hand.samples[i];
       if (!sample.tracked) {
-        fmt::format_to(add, "{},{},{},lost,,,,,,,,{}\n", trace.t[i], h, to_text(hand.side), sample.confidence);
+        fmt::format_to(add, "{},{},{},lost,,,,,,,,{}\n", trace.t[i], h, to_string(hand.side), sample.confidence);
         continue;
       }
       for (std::size_t k = 0; k < phalanx_count; ++k) {
         const Pose& X = sample.X_WP[k];
-        fmt::format_to(add, "{},{},{},{},{},{},{},{},{},{},{},{}\n", trace.t[i], h, to_text(hand.side),
+        fmt::format_to(add, "{},{},{},{},{},{},{},{},{},{},{},{}\n", trace.t[i], h, to_string(hand.side),
                        phalanx_name(static_cast<int>(k)), X.p.x(), X.p.y(), X.p.z(), X.R.w(), X.R.x(), X.R.y(), X.R.z(),
                        sample.confidence);
       }
@@ -281,10 +301,15 @@ std::string to_csv(const Trace& trace) {
 
 void write_trace_csv(const Trace& trace, const std::string& path) {
   const std::string text = to_csv(trace);
-  std::ofstream file(path, std::ios::binary);
+  const std::string beside = path + ".part";  // then renamed: a full disk leaves what was there
+  std::ofstream file(beside, std::ios::binary);
   file << text;
-  file.flush();
-  if (!file) throw InputError(fmt::format("{}: cannot be written (check the folder and the space left)", path));
+  file.close();
+  std::error_code failed;
+  if (file) std::filesystem::rename(beside, path, failed);
+  if (file && !failed) return;
+  std::filesystem::remove(beside, failed);
+  throw InputError(fmt::format("{}: cannot be written (check the folder and the space left)", path));
 }
 
 }  // namespace handhold

@@ -22,12 +22,14 @@ namespace handhold {
 ///     0,1,left,lost,,,,,,,,0
 ///
 /// Frames as in hand_model.hpp; a hand without shapes gets the anatomical one. Lines of one time stamp stand together.
-/// A hand is lost where its line says `lost`, where one of its 16 phalanges is missing, or where a number is nan;
-/// warnings count the last two. A phalanx given twice at one stamp: the later one is dropped, with a warning. Other
-/// lines that start with # are comments. Throws InputError with file and line for everything else.
+/// What describes the coordinates stands above shapes and poses. A hand is lost where its line says `lost`, where one
+/// of its 16 phalanges is missing, or where a number is nan; warnings count the last two. A phalanx given twice at one
+/// stamp: the later one is dropped, with a warning. Other lines that start with # are comments. Throws InputError with
+/// file and line for everything else.
 [[nodiscard]] Trace read_trace_csv(std::string_view text, const std::string& path);
 
-/// Writes a trace so that reading it gives the same numbers. Throws InputError if the file cannot be written.
+/// Writes a trace so that reading it gives the same numbers: beside `path`, then renamed. Throws InputError if the file
+/// cannot be written; what was there stays.
 void write_trace_csv(const Trace& trace, const std::string& path);
 [[nodiscard]] std::string to_csv(const Trace& trace);
 

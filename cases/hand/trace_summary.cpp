@@ -178,9 +178,8 @@ std::string to_text(const std::vector<Interval>& intervals) {
 }
 
 std::string to_text(const HandSummary& hand) {
-  std::string text = fmt::format("{} hand: tracked {:.1f} %, confidence {:.2f} to {:.2f}\n",
-                                 hand.side == Side::left ? "left" : "right", 100 * hand.tracked, hand.least_confidence,
-                                 hand.most_confidence);
+  std::string text = fmt::format("{} hand: tracked {:.1f} %, confidence {:.2f} to {:.2f}\n", to_string(hand.side),
+                                 100 * hand.tracked, hand.least_confidence, hand.most_confidence);
   text += fmt::format("  lost           {}\n", to_text(hand.lost));
   constexpr std::array<const char*, 5> fingers{"thumb", "index", "middle", "ring", "little"};
   for (std::size_t f = 0; f < fingers.size(); ++f) {

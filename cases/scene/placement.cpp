@@ -23,6 +23,7 @@ namespace {
 constexpr double tick = 0.005;       // of the search for closings [s]: half a frame of the slowest trackers
 constexpr double clearance = 0.005;  // a phalanx farther than this has not come near yet [m]: above any contact offset
 constexpr double longest_approach = 1;    // [s]
+constexpr double longest_search = 3600;   // of presence [s]: memory, and a wrong unit of time shows here
 constexpr int surface_points = 1500;      // a few a square centimetre of a mug
 constexpr std::size_t most_places = 80;   // tried in full
 constexpr double least_distance = 0.015;  // between places that are tried: nearer ones fare alike [m]
@@ -53,6 +54,14 @@ struct Candidate {
 };
 
 Reach look_at(const HandMotion& motion) {
+  double present_for = 0;
+  for (const Interval& present : motion.presence()) present_for += present.end - present.begin;
+  if (!(present_for <= longest_search)) {
+    throw InputError(
+        fmt::format("trace: the hand is there for {:g} s, at most {:g} s are searched for a grasp (check "
+                    "the unit of time, cut the trace, or place the object by hand: --place x,y,z)",
+                    present_for, longest_search));
+  }
   Reach reach{motion, {}, {}};
   for (const Interval& present : motion.presence()) {
     for (int finger = 1; finger <= 4; ++finger) {
@@ -119,10 +128,23 @@ double balance(Candidate& c, const Grip& grip, const HandMotion& motion, const V
   return std::abs(thumb - aimed) + std::abs(finger - aimed);
 }
 
+/// Least rotation that takes unit vector a to b. (Eigen's FromTwoVectors brings an SVD along: 8 s of compile time.)
+Eigen::Quaterniond least_turn(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  const double cosine = a.dot(b);
+  Eigen::Quaterniond q;
+  q.w() = 1 + cosine;  // the half-way quaternion, before normalisation
+  q.vec() = a.cross(b);
+  if (q.w() < 1e-9) {  // opposite: half a turn about any normal
+    q.w() = 0;
+    q.vec() = a.unitOrthogonal();
+  }
+  return q.normalized();
+}
+
 /// The object turned so that `n_O` points to the thumb, then by `roll` about that line, its place in the middle of the
 /// grip.
 Pose lay(const GraspPlace& place, const Eigen::Vector3d& n_O, const Grip& grip, double roll) {
-  const Eigen::Quaterniond least = Eigen::Quaterniond::FromTwoVectors(n_O, -grip.axis_W);
+  const Eigen::Quaterniond least = least_turn(n_O, -grip.axis_W);
   const Eigen::Quaterniond R = (Eigen::AngleAxisd(roll, grip.axis_W) * least).normalized();
   return {R, grip.middle_W - R * place.center_O};
 }

@@ -58,7 +58,7 @@ struct Placement {
 /// between the two tips at closure, in 48 orientations each, then moved along the line between them until both tips are
 /// as deep. The best has the least unwanted depth, thin rather than thick, near the centre of volume, upright (z of O
 /// up) on ties. Deterministic. Throws InputError if the hand never closes on any place of the object (place it by hand
-/// then).
+/// then), or is present for more than an hour.
 [[nodiscard]] Placement place_in_hand(const Trace& trace, std::size_t hand, const VoxelField& field,
                                       const PlacementOptions& options = {});
 

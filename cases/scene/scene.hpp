@@ -37,6 +37,12 @@ struct Inertia {
   Eigen::Matrix3d about_center{Eigen::Matrix3d::Zero()};  ///< [kg m²], axes of O
 };
 
+/// The support that holds a body up until `Body::held_until`: it carries the body's weight and resists its motion like
+/// thick oil, with force −m v / τ at the centre of mass and torque −I ω / τ. So a hand that closes moves the body to
+/// where its fingers are in balance; a rigid support would let it go under whatever force the fingers happen to leave
+/// over. τ [s]:
+inline constexpr double support_time = 0.01;
+
 /// One object, ready to simulate.
 struct Body {
   std::string name{};
@@ -46,7 +52,7 @@ struct Body {
   Friction friction{};   ///< against skin
   Pose X_WO{};           ///< at t = 0
   Twist V_WO{};          ///< at t = 0; v is the velocity of O's origin
-  double held_until{0};  ///< a support keeps the body at X_WO until then, and lets it go at rest [s]
+  double held_until{0};  ///< a support (see support_time) holds the body up until then [s]
 };
 
 /// How a sample starts at t = 0 if it is inside its object.

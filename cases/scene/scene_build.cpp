@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "cases/error.hpp"
+#include "cases/geometry/field_cache.hpp"
 #include "cases/geometry/mass_properties.hpp"
-#include "cases/geometry/mesh_import.hpp"
 #include "cases/geometry/shapes.hpp"
 #include "cases/geometry/voxelizer.hpp"
 #include "cases/hand/trace_reader.hpp"
@@ -43,9 +43,19 @@ fs::path existing_file(const std::string& name, const fs::path& base) {
       fmt::format("'{}': there is no such file (paths are relative to the scene's folder)", path.string()));
 }
 
-Mesh make_mesh(const BodySpec& body, const fs::path& base) {
-  if (body.shape) return make_shape(body.shape->kind, body.shape->parameters);
-  return import_mesh(existing_file(body.mesh, base), body.scale).mesh;
+struct Solid {
+  Mesh mesh{};
+  std::shared_ptr<const VoxelField> field{};
+};
+
+Solid make_solid(const BodySpec& body, const fs::path& base) {
+  const VoxelOptions options{body.voxel_size, body.band};
+  if (body.shape) {
+    const Mesh mesh = make_shape(body.shape->kind, body.shape->parameters);
+    return {mesh, voxelize(mesh, options)};
+  }
+  ImportedObject object = import_object(existing_file(body.mesh, base), body.scale, options);
+  return {std::move(object.mesh.mesh), std::move(object.field)};
 }
 
 double density_of(const BodySpec& body, double volume) {
@@ -67,11 +77,11 @@ Friction friction_of(const BodySpec& body) {
 }
 
 Body build_body(const BodySpec& spec, const fs::path& base) {
-  const Mesh mesh = make_mesh(spec, base);
+  const Solid solid = make_solid(spec, base);
   Body body;
   body.name = spec.name;
-  body.inertia = weigh(spec, mesh);
-  body.field = voxelize(mesh, {spec.voxel_size, spec.band});
+  body.inertia = weigh(spec, solid.mesh);
+  body.field = solid.field;
   body.mobility = spec.mobility;
   body.friction = friction_of(spec);
   body.X_WO = {spec.orientation, spec.position};
@@ -85,8 +95,8 @@ std::size_t find_hand(const HandSpec& spec, const Trace& trace) {
     const auto is_side = [&](const TraceHand& hand) { return hand.side == *spec.side; };
     const auto found = std::find_if(trace.hands.begin(), trace.hands.end(), is_side);
     if (found != trace.hands.end()) return std::size_t(found - trace.hands.begin());
-    throw InputError(fmt::format("'{}' has no {} hand (take the other side, or an index)", spec.trace,
-                                 *spec.side == Side::left ? "left" : "right"));
+    throw InputError(
+        fmt::format("'{}' has no {} hand (take the other side, or an index)", spec.trace, to_string(*spec.side)));
   }
   const std::size_t index = std::size_t(spec.index.value_or(0));
   if (index < trace.hands.size()) return index;

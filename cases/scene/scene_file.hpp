@@ -50,7 +50,7 @@ struct BodySpec {
       Eigen::Quaterniond::Identity()};                        ///< of O in W at t = 0, `[w, x, y, z]`, norm 1 +- 1e-3
   Eigen::Vector3d velocity{Eigen::Vector3d::Zero()};          ///< of O's origin in W at t = 0 [m/s]
   Eigen::Vector3d angular_velocity{Eigen::Vector3d::Zero()};  ///< in W at t = 0 [rad/s]
-  double held_until{0};  ///< a support keeps the body in place until then [s], >= 0
+  double held_until{0};  ///< a support holds the body up, as in thick oil, until then [s], >= 0
   Location location{};
 };
 

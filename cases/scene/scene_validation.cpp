@@ -23,8 +23,20 @@ constexpr std::size_t most_hands = std::numeric_limits<std::uint8_t>::max();
 
 std::string print(const Eigen::Vector3d& v) { return fmt::format("[{}, {}, {}]", v.x(), v.y(), v.z()); }
 
-void check_finite(const std::string& what, const Eigen::Vector3d& v, const char* unit) {
+// Beyond these nothing is a hand with an object, and a simulation would run for ever or drown in rounding.
+constexpr double most_length = 1e3;          // [m]
+constexpr double most_speed = 1e3;           // [m/s]
+constexpr double most_spin = 1e4;            // [rad/s]
+constexpr double most_gravity = 1e3;         // [m/s²]
+constexpr double least_mass = 1e-6;          // [kg]
+constexpr double most_mass = 1e4;            // [kg]
+constexpr double most_stiffness = 1e9;       // [N/m]
+constexpr double most_damping = 1e6;         // [N s/m]
+constexpr double most_duration = 24 * 3600;  // [s]
+
+void check_finite(const std::string& what, const Eigen::Vector3d& v, const char* unit, double most) {
   if (!v.allFinite()) reject(fmt::format("{} = {}: must be finite (give three numbers in {})", what, print(v), unit));
+  if (v.norm() > most) reject(fmt::format("{} = {}: at most {:g} {} (check the unit)", what, print(v), most, unit));
 }
 
 void check_moments(const std::string& who, const Eigen::Matrix3d& J) {
@@ -43,18 +55,22 @@ void check_moments(const std::string& who, const Eigen::Matrix3d& J) {
 }
 
 void check_inertia(const std::string& who, const Body& body) {
-  check_finite(who + ": center of mass", body.inertia.center, "m");
+  check_finite(who + ": center of mass", body.inertia.center, "m", most_length);
   if (body.mobility == Mobility::fixed) return;  // its mass never enters
   if (!std::isfinite(body.inertia.mass) || body.inertia.mass <= 0) {
     reject(
         fmt::format("{}: mass {} kg: must be finite and > 0 (or set the mobility to fixed)", who, body.inertia.mass));
   }
+  if (body.inertia.mass < least_mass || body.inertia.mass > most_mass) {
+    reject(fmt::format("{}: mass {} kg: must be {:g} to {:g} kg (check the unit of lengths and density)", who,
+                       body.inertia.mass, least_mass, most_mass));
+  }
   if (body.mobility == Mobility::free) check_moments(who, body.inertia.about_center);
 }
 
 void check_velocity(const std::string& who, const Body& body) {
-  check_finite(who + ": velocity", body.V_WO.v, "m/s");
-  check_finite(who + ": angular velocity", body.V_WO.w, "rad/s");
+  check_finite(who + ": velocity", body.V_WO.v, "m/s", most_speed);
+  check_finite(who + ": angular velocity", body.V_WO.w, "rad/s", most_spin);
   const bool turns = !body.V_WO.w.isZero(0);
   const bool moves = turns || !body.V_WO.v.isZero(0);
   if (body.mobility == Mobility::fixed && moves) {
@@ -77,7 +93,7 @@ void check_body(const Body& body) {
   } catch (const InputError& error) {
     reject(who + ": " + error.what());
   }
-  check_finite(who + ": position", body.X_WO.p, "m");
+  check_finite(who + ": position", body.X_WO.p, "m", most_length);
   if (!(std::abs(body.X_WO.R.norm() - 1) <= unit_tolerance)) {
     reject(
         fmt::format("{}: orientation of norm {}: must be a unit quaternion (normalise it)", who, body.X_WO.R.norm()));
@@ -99,12 +115,12 @@ void check_given(const std::string& who, const GivenPatch& patch) {
   if (count < 1 || count > std::size_t(max_samples)) {
     reject(fmt::format("{}: {} samples: must be 1 to {} (split it over phalanges)", where, count, max_samples));
   }
-  for (const Eigen::Vector3d& p : patch.p_P) check_finite(where + ": sample", p, "m");
+  for (const Eigen::Vector3d& p : patch.p_P) check_finite(where + ": sample", p, "m", most_length);
   if (!patch.start.empty() && patch.start.size() != count) {
     reject(fmt::format("{}: {} starts for {} samples: give none or one a sample", where, patch.start.size(), count) +
            " (start empty is unstretched stick)");
   }
-  for (const SampleStart& start : patch.start) check_finite(where + ": lag", start.lag_W, "m");
+  for (const SampleStart& start : patch.start) check_finite(where + ": lag", start.lag_W, "m", most_length);
 }
 
 void check_hand(const Hand& hand, std::size_t index, double duration) {
@@ -131,6 +147,12 @@ void validate(const ContactParameters& contact) {
   if (!std::isfinite(contact.stiffness) || contact.stiffness <= 0) {
     reject(fmt::format("contact stiffness {} N/m: must be finite and > 0 (the paper has 100)", contact.stiffness));
   }
+  if (contact.stiffness > most_stiffness) {
+    reject(fmt::format("contact stiffness {} N/m: at most {:g} (check the unit)", contact.stiffness, most_stiffness));
+  }
+  if (contact.damping > most_damping) {
+    reject(fmt::format("contact damping {} N s/m: at most {:g} (check the unit)", contact.damping, most_damping));
+  }
   if (!std::isfinite(contact.damping) || contact.damping < 0) {
     reject(fmt::format("contact damping {} N s/m: must be finite and >= 0 (0 is the paper's bare spring)",
                        contact.damping));
@@ -141,7 +163,10 @@ void validate(const Scene& scene) {
   if (!std::isfinite(scene.duration) || scene.duration <= 0) {
     reject(fmt::format("duration {} s: must be finite and > 0 (time starts at 0)", scene.duration));
   }
-  check_finite("gravity", scene.gravity, "m/s^2");
+  if (scene.duration > most_duration) {
+    reject(fmt::format("duration {} s: at most {:g} (a day)", scene.duration, most_duration));
+  }
+  check_finite("gravity", scene.gravity, "m/s^2", most_gravity);
   validate(scene.contact);
   validate(scene.patch);
   if (scene.bodies.empty()) reject(fmt::format("scene '{}': has no body (add at least one)", scene.name));

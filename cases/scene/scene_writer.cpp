@@ -94,7 +94,7 @@ void write_patch(const PatchSpec& patch, Output out) {
 
 void write_hand(const HandSpec& hand, Output out) {
   fmt::format_to(out, "\n[[hands]]\ntrace = {}\n", quoted(hand.trace));
-  if (hand.side) fmt::format_to(out, "side = \"{}\"\n", *hand.side == Side::left ? "left" : "right");
+  if (hand.side) fmt::format_to(out, "side = \"{}\"\n", to_string(*hand.side));
   if (hand.index) fmt::format_to(out, "index = {}\n", *hand.index);
   fmt::format_to(out, "position = {}\norientation = {}\nstart = {}\nlongest_bridge = {}\n", list(hand.position),
                  list(hand.orientation), hand.start, hand.longest_bridge);

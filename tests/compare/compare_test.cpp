@@ -48,7 +48,7 @@ TEST(Gate, IsVacuousWhenItCouldBeAHundredTimesTighter) {
   EXPECT_FALSE(is_vacuous({.quantity = "x", .measured = 1e-4, .limit = 2e-3}));
   EXPECT_FALSE(is_vacuous({.quantity = "x", .measured = 0, .limit = 0}));
   EXPECT_FALSE(is_vacuous({.quantity = "x", .measured = 1e-5, .limit = 2e-3, .resolution = 1e-4}));  // luck, not slack
-  EXPECT_FALSE(is_vacuous({.quantity = "x", .measured = 3e-3, .limit = 2e-3}));  // failed, not idle
+  EXPECT_FALSE(is_vacuous({.quantity = "x", .measured = 3e-3, .limit = 2e-3}));                      // failed, not idle
 }
 
 TEST(FrameTimes, ArePercentilesOfTheSortedTimes) {
@@ -61,8 +61,8 @@ TEST(FrameTimes, ArePercentilesOfTheSortedTimes) {
   EXPECT_EQ(frame_times({}).frames, 0U);
 }
 
-/// A body thrown up at 2 m/s², recorded every 0.1 s, no hand: measures have exact answers.
-Recording thrown() {
+/// A body pulled along x at 2 m/s² and spinning, recorded every 0.1 s, no hand: measures have exact answers.
+Recording pulled() {
   Recording r;
   for (int i = 0; i <= 10; ++i) {
     const double t = 0.1 * i;
@@ -86,7 +86,7 @@ Scene lone_body() {
 }
 
 TEST(Measure, InterpolatesConstantAccelerationExactly) {
-  const auto at = [](Measure::Kind kind, double t) { return measure(lone_body(), thrown(), {.kind = kind, .at = t}); };
+  const auto at = [](Measure::Kind kind, double t) { return measure(lone_body(), pulled(), {.kind = kind, .at = t}); };
   EXPECT_NEAR(at(Measure::Kind::displacement, 0.537), 0.537 * 0.537, 1e-15);
   EXPECT_NEAR(at(Measure::Kind::speed, 0.537), 2 * 0.537, 1e-14);
   EXPECT_TRUE(std::isnan(at(Measure::Kind::displacement, 1.5)));
@@ -94,33 +94,33 @@ TEST(Measure, InterpolatesConstantAccelerationExactly) {
 
 TEST(Measure, FindsTimesAndEvents) {
   const Scene scene = lone_body();
-  EXPECT_NEAR(measure(scene, thrown(), {.kind = Measure::Kind::time_at_displacement, .level = 0.3}), std::sqrt(0.3),
+  EXPECT_NEAR(measure(scene, pulled(), {.kind = Measure::Kind::time_at_displacement, .level = 0.3}), std::sqrt(0.3),
               1e-14);
-  EXPECT_EQ(measure(scene, thrown(), {.kind = Measure::Kind::event_time, .event = EventKind::restick}), 0.25);
-  EXPECT_TRUE(std::isnan(measure(scene, thrown(), {.kind = Measure::Kind::event_time, .event = EventKind::breakaway})));
-  EXPECT_NEAR(measure(scene, thrown(), {.kind = Measure::Kind::displacement, .event = EventKind::restick}), 0.0625,
+  EXPECT_EQ(measure(scene, pulled(), {.kind = Measure::Kind::event_time, .event = EventKind::restick}), 0.25);
+  EXPECT_TRUE(std::isnan(measure(scene, pulled(), {.kind = Measure::Kind::event_time, .event = EventKind::breakaway})));
+  EXPECT_NEAR(measure(scene, pulled(), {.kind = Measure::Kind::displacement, .event = EventKind::restick}), 0.0625,
               1e-15);
-  EXPECT_EQ(measure(scene, thrown(), {.kind = Measure::Kind::no_event, .event = EventKind::release}), 1);
+  EXPECT_EQ(measure(scene, pulled(), {.kind = Measure::Kind::no_event, .event = EventKind::release}), 1);
 }
 
 TEST(Measure, UnwrapsRotation) {
-  EXPECT_NEAR(measure(lone_body(), thrown(), {.kind = Measure::Kind::rotation, .at = 1.0}), 8, 1e-12);
-  EXPECT_NEAR(measure(lone_body(), thrown(), {.kind = Measure::Kind::rotation, .event = EventKind::restick}), 2, 1e-12);
+  EXPECT_NEAR(measure(lone_body(), pulled(), {.kind = Measure::Kind::rotation, .at = 1.0}), 8, 1e-12);
+  EXPECT_NEAR(measure(lone_body(), pulled(), {.kind = Measure::Kind::rotation, .event = EventKind::restick}), 2, 1e-12);
 }
 
 TEST(Measure, HoldsOnlyBelowItsLevel) {
-  EXPECT_EQ(measure(lone_body(), thrown(), {.kind = Measure::Kind::held, .level = 1.01}), 1);
-  EXPECT_EQ(measure(lone_body(), thrown(), {.kind = Measure::Kind::held, .level = 0.99}), 0);
+  EXPECT_EQ(measure(lone_body(), pulled(), {.kind = Measure::Kind::held, .level = 1.01}), 1);
+  EXPECT_EQ(measure(lone_body(), pulled(), {.kind = Measure::Kind::held, .level = 0.99}), 0);
 }
 
 TEST(Measure, GivesNothingForARunThatDidNotEnd) {
-  Recording broken = thrown();
+  Recording broken = pulled();
   broken.outcome = Outcome::stalled;
   EXPECT_TRUE(std::isnan(measure(lone_body(), broken, {.kind = Measure::Kind::held, .level = 9})));
 }
 
 TEST(Difference, SeesWhereTwoRecordingsPart) {
-  Recording a = thrown(), b = thrown();
+  Recording a = pulled(), b = pulled();
   b.frames[7].bodies[0].X_WO.p.y() = 0.004;
   const Difference d = difference(a, b);
   EXPECT_DOUBLE_EQ(d.max_translation, 0.004);
@@ -172,6 +172,12 @@ TEST(Suite, NamesTheCasesWhenAskedForAnUnknownOne) {
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("C01, C03, D01, D02, D13, F01"), std::string::npos) << error.what();
   }
+}
+
+TEST(Engines, RefuseAFrameRateThatIsNone) {
+  const catalogue::Run& run = catalogue::all_cases().front().runs.front();
+  for (const double rate : {0.0, -90.0, nan, std::numeric_limits<double>::infinity()})
+    EXPECT_THROW((void)make_engine("realtime")->simulate(run.scene(), {.frame_rate = rate}), InputError) << rate;
 }
 
 TEST(Engines, AreFoundByName) {

@@ -56,6 +56,24 @@ TEST(HandPath, VelocityDoesNotJumpAtAFrame) {
   EXPECT_LT((after - before).norm(), 0.01);  // one-sided differences: s dt times the acceleration, 50 × 1e-6, twice
 }
 
+/// The axis turns as well as the angle: rates of rotation vectors of two frames are not the same thing there.
+TEST(HandPath, AngularVelocityDoesNotJumpAtAFrame) {
+  const Motion tumble = [](double t) {
+    return Pose{Eigen::AngleAxisd(9 * t, Eigen::Vector3d::UnitX()) *
+                    Eigen::Quaterniond(Eigen::AngleAxisd(std::sin(20 * t), Eigen::Vector3d::UnitY())),
+                Eigen::Vector3d::Zero()};
+  };
+  const double dt = 0.02, s = 1e-4;
+  HandPath path = path_to(tumble, 0.5, dt);
+  const auto spin = [&](double from, double to) -> Eigen::Vector3d {
+    return 2 * (path.pose(0, from).R.conjugate() * path.pose(0, to).R).vec() / ((to - from) * dt);
+  };
+  const Eigen::Vector3d before = spin(1 - s, 1);
+  path.observe(dt, frame(tumble(0.5 + dt)));
+  // One-sided differences, 200 rad/s² over s dt, twice, 1e-3; and the third-order series of a turn of 0.4, 1e-3 of 20.
+  EXPECT_LT((spin(0, s) - before).norm(), 0.01);
+}
+
 TEST(HandPath, FollowsConstantSpinExactly) {
   const Motion spin = [](double t) {
     return Pose{Eigen::Quaterniond(Eigen::AngleAxisd(9 * t, Eigen::Vector3d(1, 2, 2) / 3)), Eigen::Vector3d::Zero()};

@@ -203,6 +203,25 @@ TEST(Palm, LetsAHeldBodyGo) {
   EXPECT_NEAR(last_pose(r).p.z(), half_edge - rest * (1 - std::cos(w * 0.1)), 1e-8);  // from rest, undamped
 }
 
+// Thick oil: a palm that rises with speed v pushes with K d = m v / τ.
+TEST(Palm, PushesAHeldBodyThroughOil) {
+  Scene scene = palm_scene(0.2);
+  scene.bodies[0].X_WO.p.z() = half_edge;
+  scene.bodies[0].held_until = 1;
+  const double speed = 0.02;
+  Patch patch;
+  patch.points = square(0.008);
+  patch.pose = [=](double t) { return Pose{Eigen::Quaterniond::Identity(), {0, 0, speed * t}}; };
+  scene.hands[0] = hand_with({patch}, 0.5);
+  scene.duration = 0.5;
+  const Recording r = simulate(scene, {});
+  ASSERT_EQ(r.outcome, Outcome::complete) << r.note;
+  const double stiffness = 1600, mass = 0.2;
+  const double depth = mass * speed / (support_time * stiffness);
+  EXPECT_NEAR(r.frames.back().contacts[0].depth, depth, 1e-6 * depth);  // e^(-t / (2 τ)) = e^(-25) after the ring
+  EXPECT_LT(energy_residual(r), 1e-9);
+}
+
 // The support hides the weight: the palm comes and goes without the body moving, and the hand's work is what the
 // springs hold.
 TEST(Palm, KeepsAFixedBody) {

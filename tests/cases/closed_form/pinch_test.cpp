@@ -23,8 +23,11 @@ TEST(Pinch, AgreesWithTheCatalogue) {
                       .mass = e.m,
                       .acceleration = e.a,
                       .friction = {.mu_static = e.mu_s, .mu_dynamic = e.mu_d}};
-    const bool at_threshold = std::abs(e.N / critical_normal_force(pinch) - 1) < 1e-12;  // set 3: rounding decides there
-    if (!at_threshold) EXPECT_EQ(holds(pinch), e.hold);
+    const bool at_threshold =
+        std::abs(e.N / critical_normal_force(pinch) - 1) < 1e-12;  // set 3: rounding decides there
+    if (!at_threshold) {
+      EXPECT_EQ(holds(pinch), e.hold);
+    }
     EXPECT_NEAR(slip(pinch, e.T), e.slip, 1e-15);
   }
 }

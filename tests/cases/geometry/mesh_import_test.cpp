@@ -1,6 +1,7 @@
 #include "cases/geometry/mesh_import.hpp"
 
 #include <filesystem>
+#include <ostream>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -19,6 +20,8 @@ struct Expected {
   const char* name;
   double volume;
 };
+
+void PrintTo(const Expected& expected, std::ostream* out) { *out << expected.name; }
 
 class RealMesh : public testing::TestWithParam<Expected> {};
 

@@ -132,6 +132,12 @@ TEST_F(MeshReader, RefusesDamagedPlyAndGltf) {
   expect_message("cut text.ply", text.substr(0, text.find("\n3 ") + 1), "ends within the faces");
   EXPECT_NE(message("cut binary.ply", binary.substr(0, binary.size() - 40)), "accepted");
   expect_message("many.ply", "ply\nformat ascii 1.0\nelement vertex 4000000000\n", "more than the file can hold");
+  std::string damaged = binary;  // once the importer aborted on the rest
+  damaged[damaged.find("property", damaged.find("float x")) + 4] = '\0';
+  expect_message("damaged.ply", damaged, ":5: a PLY header has no 'prop?rty'");
+  damaged = binary;  // as did a list of no corners
+  for (std::size_t face = binary.size() - 13 * 12; face < binary.size(); face += 13) damaged[face] = '\0';
+  expect_message("no corners.ply", damaged, "face 0 has no corners");
   expect_message("negative.ply", "ply\nformat ascii 1.0\nelement vertex -4\n", "more than the file can hold");
   std::string index = text;
   index.replace(index.rfind(" ") + 1, 1, "8");
@@ -147,7 +153,7 @@ TEST_F(MeshReader, RefusesDamagedPlyAndGltf) {
   const std::string glb = files::glb(box_, R"({"mesh":0})", 1);
   expect_message("cut.glb", glb.substr(0, glb.size() - 30), "is it truncated?");
   expect_message("cut.gltf", R"({"asset":{"version":"2.0")", "cannot be read");
-  expect_message("empty scene.gltf", R"({"asset":{"version":"2.0"}})", "");
+  expect_message("empty scene.gltf", R"({"asset":{"version":"2.0"}})", "GLTF: No scene");
 }
 
 TEST_F(MeshReader, RefusesWhatIsNoMeshFile) {

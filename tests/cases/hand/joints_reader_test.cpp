@@ -1,9 +1,12 @@
 #include "cases/hand/joints_reader.hpp"
 
+#include <filesystem>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "cases/hand/joint_sets.hpp"
+#include "cases/hand/text_file.hpp"
 #include "cases/hand/trace_reader.hpp"
 #include "tests/cases/hand/trace_fixtures.hpp"
 
@@ -165,8 +168,8 @@ TEST(JointsReader, BadInput) {
   bad["unit"] = "ft";
   EXPECT_TRUE(starts_with(message(bad), "x.json: unit \"ft\""));
   bad = good;
-  bad["up"] = 3;  // no text: the default
-  EXPECT_EQ(message(bad), "accepted");
+  bad["up"] = 3;  // not silently the default: the hand would lie on its side
+  EXPECT_TRUE(starts_with(message(bad), "x.json: \"up\" is no text"));
 }
 
 // Members of every wrong kind: an InputError or a lost hand, never another exception.
@@ -193,6 +196,18 @@ TEST(ReadTrace, DecidesByContent) {
   EXPECT_EQ(read_trace(file.path()).hands.size(), 1u);
 }
 
+// A real recording packed by LZString, without its telling name.
+TEST(ReadTrace, KnowsPackedTextByItsContent) {
+  const std::string path = HANDHOLD_SHARED_DATA "/traces/leapjs/grab.json.lz";
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is absent";
+  const test::TemporaryFile file("packed.txt", read_text_file(path));
+  EXPECT_EQ(read_trace(file.path()).t.size(), 374u);  // frames of grab.json
+}
+
+TEST(ReadTrace, AnEndlessFileIsRefused) {
+  EXPECT_TRUE(contains(message_of([] { return read_trace("/dev/zero"); }), "more than 512 MiB"));
+}
+
 TEST(ReadTrace, RejectsWhatItCannotRead) {
   const auto message = [](const std::string& name, const std::string& text) {
     const test::TemporaryFile file(name, text);
@@ -201,6 +216,7 @@ TEST(ReadTrace, RejectsWhatItCannotRead) {
   EXPECT_TRUE(contains(message("empty.csv", " \n"), "the file is empty"));
   EXPECT_TRUE(contains(message("a.bvh", "HIERARCHY"), "this format is unknown"));
   EXPECT_TRUE(contains(message("a.json", "{\"frames\": [\n1,\n"), ".json:3, byte"));
+  EXPECT_TRUE(contains(message("a.json", "{\"frames\": [1e999]}"), "beyond 1e308"));
   EXPECT_TRUE(contains(message("a.lz", "BYUw!"), "byte 4: this character is not base64"));
   EXPECT_TRUE(contains(message("a.lz", "BYUwNmD2Q==="), "this is not JSON"));  // "hello"
   EXPECT_TRUE(contains(message_of([] { return read_trace("/nowhere/a.csv"); }), "cannot be read"));

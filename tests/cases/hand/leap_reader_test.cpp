@@ -178,6 +178,16 @@ TEST(LeapReader, BadInput) {
   EXPECT_TRUE(contains(message_of([] { return read_leap("[1]", "r.json"); }), "no object"));
 }
 
+// Unpacking follows the nesting of the columns: a hostile file must not use up the stack.
+TEST(LeapReader, DeeplyNestedColumnsAreRefused) {
+  constexpr int levels = 100'000;
+  std::string columns, row, end;
+  for (int i = 0; i < levels; ++i) columns += "[{\"a\":", row += '[', end += "}]";
+  const std::string text =
+      "{\"frames\":[" + columns + "[\"x\"]" + end + "," + row + "[1]" + std::string(levels, ']') + "]}";
+  EXPECT_TRUE(starts_with(message_of([&] { return read_leap(text, "r.json"); }), "r.json, frame 1: a packed row"));
+}
+
 TEST(LeapReader, WrongKindsOfMembersNeverEscape) {
   const json raw = recording_of({frame_of(0), frame_of(10000)});
   for (const json& good : {raw, packed(raw["frames"], hand_columns, finger_columns)}) {

@@ -61,7 +61,7 @@ TEST(Nearest, DeepInsideIsExact) {
   EXPECT_NEAR(n.distance, -0.02 - 0.008, flat);
 }
 
-// The middle of a finger across an edge of the cube: axis along x at (y, z) = (40, 40) mm, edge at (30, 30) mm.
+// The middle of a finger across an edge of the cube: axis along x at (y, z) = (36, 36) mm, edge at (30, 30) mm.
 TEST(Nearest, FingerAlongAnEdge) {
   const Pose X_OP{Quaterniond(AngleAxisd(right_angle, Vector3d::UnitY())), {0, 0.036, 0.036}};
   const Nearest n = nearest(finger, X_OP, cube());

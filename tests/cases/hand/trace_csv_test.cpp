@@ -1,8 +1,11 @@
 #include "cases/hand/trace_csv.hpp"
 
+#include <filesystem>
+
 #include <gtest/gtest.h>
 
 #include "cases/hand/sensor_faults.hpp"
+#include "cases/hand/text_file.hpp"
 #include "cases/hand/trace_reader.hpp"
 #include "tests/cases/hand/trace_fixtures.hpp"
 
@@ -55,6 +58,15 @@ TEST(TraceCsv, WritesAFileThatReadTraceReads) {
   EXPECT_EQ(read_trace(file.path()).t.size(), awkward().t.size());
   EXPECT_TRUE(
       contains(message_of([] { return write_trace_csv(awkward(), "/nowhere/a.csv"), 0; }), "cannot be written"));
+}
+
+TEST(TraceCsv, AFullDiskLeavesTheOldFile) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full on this system";
+  const test::TemporaryFile file("kept.csv", "old");
+  std::filesystem::create_symlink("/dev/full", file.path() + ".part");
+  EXPECT_TRUE(contains(message_of([&] { return write_trace_csv(awkward(), file.path()), 0; }), "cannot be written"));
+  EXPECT_EQ(read_text_file(file.path()), "old");
+  EXPECT_FALSE(std::filesystem::exists(std::filesystem::symlink_status(file.path() + ".part")));
 }
 
 /// 16 lines of one hand at `t`, every phalanx at the same place and turn.
@@ -152,8 +164,43 @@ TEST(TraceCsv, BadInputNamesFileAndLine) {
   EXPECT_TRUE(starts_with(message("# capsule 0 palm 1 1\n", ""), "a.csv:2: the palm is no capsule"));
   EXPECT_TRUE(starts_with(message("# palm 0 1 -1 1\n", ""), "a.csv:2: length -1"));
   EXPECT_TRUE(starts_with(message("", ""), "a.csv: there is no hand"));
+  EXPECT_TRUE(starts_with(message("", "0,0,left,palm,1,2,3,1,0,0,0,77\n"), "a.csv:2: confidence 77"));
   EXPECT_TRUE(contains(message_of([] { return read_trace_csv("# handhold trace 2\n", "a.csv"); }), "version 2"));
   EXPECT_TRUE(contains(message_of([] { return read_trace_csv(hand_lines("0"), "a.csv"); }), "is missing"));
+}
+
+// What would otherwise pass for a comment, or be dropped without a word.
+TEST(TraceCsv, ShapesAndUnitsThatWouldBeIgnoredAreErrors) {
+  const auto message = [](const std::string& header, const std::string& lines) {
+    return message_of([&] { return read(header, lines); });
+  };
+  const std::string lines = hand_lines("0");
+  EXPECT_EQ(message("# capsules are ours\n", lines), "accepted");
+  EXPECT_TRUE(starts_with(message("# capsule 0 index_distal 0.005\n", lines), "a.csv:2: a capsule has four fields"));
+  EXPECT_TRUE(starts_with(message("# palm 0 1 1\n", lines), "a.csv:2: a palm has four fields"));
+  EXPECT_TRUE(starts_with(message("# palm 9 1 1 1\n", lines), "a.csv: hand 9 has a shape, but no line"));
+  EXPECT_TRUE(starts_with(message("# palm 0 1 1 1\n# unit mm\n", lines), "a.csv:3: \"# unit\" stands below"));
+  EXPECT_TRUE(starts_with(message("", lines + "# time ms\n"), "a.csv:18: \"# time\" stands below"));
+  EXPECT_TRUE(starts_with(message("", "0,1,right,lost,,,,,,,,0\n"), "a.csv: there are 1 hands, but no line of hand 0"));
+}
+
+TEST(TraceCsv, AConfidenceThatIsNoNumberLosesTheSample) {
+  std::string lines = hand_lines("0");
+  lines.replace(lines.rfind(",0.5\n"), 5, ",nan\n");
+  EXPECT_FALSE(read("", lines).hands[0].samples[0].tracked);
+}
+
+TEST(Trace, RefusesPlacesTimesAndConfidencesThatNoTrackerSees) {
+  Trace trace = closing_hand(30);
+  EXPECT_NO_THROW(validate(trace));
+  trace.hands[0].samples[3].X_WP[palm].p.x() = 1e300;
+  EXPECT_TRUE(contains(message_of([&] { return validate(trace), 0; }), "sample 3, palm lies farther than 1000 m"));
+  trace = closing_hand(30);
+  trace.t.back() = 1.7e18;  // nanoseconds since 1970
+  EXPECT_TRUE(contains(message_of([&] { return validate(trace), 0; }), "1.7e+18 s (check the unit of time)"));
+  trace = closing_hand(30);
+  trace.hands[0].samples[3].confidence = 1.5;
+  EXPECT_TRUE(contains(message_of([&] { return validate(trace), 0; }), "sample 3: confidence 1.5"));
 }
 
 }  // namespace

@@ -172,6 +172,14 @@ TEST(Placement, RefusesWhatTheHandNeverClosesOn) {
   expect_input_error([&] { (void)place_in_hand(pinch(0.02), 0, *huge); }, {"never closes"});
 }
 
+// Microseconds read as seconds: searching days of motion every 5 ms took all memory.
+TEST(Placement, RefusesATraceOfDays) {
+  const auto field = voxelize(make_box({0.03, 0.05, 0.07}), {0.002, 0.008});
+  Trace trace = pinch(0.02);
+  for (double& t : trace.t) t *= 1e6;
+  expect_input_error([&] { (void)place_in_hand(trace, 0, *field); }, {"at most 3600 s", "unit of time"});
+}
+
 TEST(Placement, RefusesWrongOptionsAndHands) {
   const auto field = voxelize(make_box({0.03, 0.05, 0.07}), {0.004, 0.012});
   PlacementOptions options;

@@ -67,7 +67,8 @@ Recording example() {
   ContactState a{{0, 2, 0, 1}, Mode::stick, 0.001, {1, 2, 3}, {4, 5, 6}, {0, 0, 1}, {0.1, 0.2, 0.3}};
   ContactState b{{1, 15, 1, 7}, Mode::slip, -0.002, {1, 2, 3}, {4, 5, 6}, {0, 1, 0}, {0.7, 0.8, 0.9}};
   recording.frames[1].contacts = {a, b};
-  recording.events = {{0.01, 1e-12, EventKind::touch, a.id}, {0.02, 0.001, EventKind::restick, b.id}};
+  recording.events = {{0.01, 1e-12, EventKind::touch, a.id, recording.frames[0].bodies[0]},
+                      {0.02, 0.001, EventKind::restick, b.id, recording.frames[1].bodies[0]}};
   recording.frame_time = {1e-5, 2e-5};
   return recording;
 }
@@ -116,6 +117,7 @@ TEST_F(RecordingCsv, ReadsBackTheSameBits) {
   EXPECT_EQ(read.events[1].window, 0.001);
   EXPECT_EQ(read.events[1].kind, EventKind::restick);
   EXPECT_EQ(read.events[1].id, (SampleId{1, 15, 1, 7}));
+  for (std::size_t i = 0; i < 2; ++i) expect_same(read.events[i].body, written.events[i].body);
 }
 
 TEST_F(RecordingCsv, UnitsStandInTheColumnNames) {
@@ -186,7 +188,7 @@ TEST_F(RecordingCsv, ABadNumberIsNamedWithItsLine) {
 TEST_F(RecordingCsv, AMissingFieldIsNamedWithItsLine) {
   write_recording(example(), folder_);
   replace("events.csv", "0.01,1e-12,touch", "0.01,touch");
-  expect_input_error([&] { (void)read_recording(folder_); }, {"events.csv:12:", "6 fields", "7"});
+  expect_input_error([&] { (void)read_recording(folder_); }, {"events.csv:12:", "19 fields", "20"});
 }
 
 TEST_F(RecordingCsv, AnUnknownModeListsTheModes) {

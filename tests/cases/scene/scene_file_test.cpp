@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -341,6 +342,17 @@ TEST(SceneFileErrors, AFileThatIsTooLargeIsNotRead) {
   std::filesystem::resize_file(path, std::uintmax_t(17) << 20);
   expect_input_error([&] { (void)read_scene(path); }, {"at most 16 MB"});
   std::filesystem::remove(path);
+}
+
+// The example that readers copy.
+TEST(SceneFile, TheDocumentedExampleIsASceneForBothEngines) {
+  std::ifstream file(HANDHOLD_SCENE_DOCUMENT);
+  const std::string page{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  const std::size_t begin = page.find("```toml\n"), end = page.find("\n```\n", begin);
+  ASSERT_NE(end, std::string::npos);
+  const SceneSpec spec = parse_scene(page.substr(begin + 8, end - begin - 8), "example.toml");
+  EXPECT_EQ(spec.bodies.size(), 1u);  // neither engine takes more
+  EXPECT_EQ(spec.hands.size(), 1u);
 }
 
 TEST(SceneFile, ReadsAFile) {

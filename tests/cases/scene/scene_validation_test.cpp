@@ -204,5 +204,14 @@ TEST(SceneValidation, ChecksGivenPatches) {
   expect_refused(nan_lag, {"palm: lag", "nan"});
 }
 
+TEST(SceneValidation, RefusesWhatNoHandCouldBeNear) {
+  expect_refused([](Scene& s) { s.bodies[0].inertia.mass = 1e-12; }, {"mass 1e-12 kg", "1e-06 to 10000"});
+  expect_refused([](Scene& s) { s.bodies[0].X_WO.p.x() = 1e300; }, {"position", "at most 1000 m"});
+  expect_refused([](Scene& s) { s.bodies[0].V_WO.v.z() = 1e200; }, {"velocity", "at most 1000 m/s"});
+  expect_refused([](Scene& s) { s.contact.stiffness = 1e300; }, {"stiffness", "at most 1e+09"});
+  expect_refused([](Scene& s) { s.contact.damping = 1e300; }, {"damping", "at most 1e+06"});
+  expect_refused([](Scene& s) { s.duration = 1e9; }, {"duration", "a day"});
+}
+
 }  // namespace
 }  // namespace handhold
