@@ -27,8 +27,10 @@ HandPath path_to(const Motion& motion, double t, double dt) {
 double worst(const Motion& motion, double t, double dt) {
   const HandPath path = path_to(motion, t, dt);
   double largest = 0;
-  for (double s = 0; s <= 1; s += 1.0 / 64)
+  for (int i = 0; i <= 64; ++i) {
+    const double s = i / 64.0;
     largest = std::max(largest, (path.pose(palm, s).p - motion(t - dt + s * dt).p).norm());
+  }
   return largest;
 }
 

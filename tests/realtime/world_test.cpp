@@ -183,7 +183,8 @@ TEST(World, ASupportCarriesTheWeightUntilItLetsGo) {
   EXPECT_LT(world.body().X_WO.p.z(), -0.01);
 }
 
-/// A finger pushes a body in the oil of its support: k d = m v / τ, so the depth settles at m v / (τ K) for a finger of speed v.
+/// A finger pushes a body in the oil of its support: k d = m v / τ, so the depth settles at m v / (τ K) for a finger of
+/// speed v.
 TEST(World, ASupportYieldsAsThickOil) {
   Scene scene = free_scene();
   scene.bodies[0].held_until = 1;
@@ -195,10 +196,12 @@ TEST(World, ASupportYieldsAsThickOil) {
   World world = started(scene, {.substeps = 8}, 1.0 / 90);
   run(world, scene, 45, 1.0 / 90);
   const double depth = scene.bodies[0].inertia.mass * speed / (support_time * 8 * 100);
-  EXPECT_NEAR(world.contact(0).depth, depth, 1e-3 * depth);  // settled within e^(-K τ t / m) = e^(-20) and a damped ring
+  EXPECT_NEAR(world.contact(0).depth, depth,
+              1e-3 * depth);  // settled within e^(-K τ t / m) = e^(-20) and a damped ring
   EXPECT_NEAR(world.body().v.z(), speed, 1e-3 * speed);
   const Energy e = world.energy();
-  EXPECT_NEAR(e.kinetic + e.potential + e.elastic + e.dissipated - e.hand_work, 0, 0.05 * e.hand_work);  // first order in h
+  EXPECT_NEAR(e.kinetic + e.potential + e.elastic + e.dissipated - e.hand_work, 0,
+              0.05 * e.hand_work);  // first order in h
 }
 
 TEST(World, SeedsAPatchWhereAPhalanxComesNear) {
