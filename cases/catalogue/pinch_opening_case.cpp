@@ -19,10 +19,11 @@ closed_form::PinchOpening opening(double normal_force) {
           .friction = {.mu_static = 0.8, .mu_dynamic = 0.4}};
 }
 
-/// The grip whose slip starts on a frame, so that the error of the fall is not the luck of the onset within a sub-step.
+/// The grip whose slip starts on a frame, so that the error of the fall is not the luck of the onset within a sub-step:
+/// a nanosecond after it, so that rounding has no say in whether that frame still sticks.
 closed_form::PinchOpening opening_on_frame() {
   closed_form::PinchOpening o = opening(0);
-  o.normal_force = o.mass * o.gravity / (2 * o.friction.mu_static) + o.rate * 10 / 90;
+  o.normal_force = o.mass * o.gravity / (2 * o.friction.mu_static) + o.rate * (10.0 / 90 + 1e-9);
   return o;
 }
 
