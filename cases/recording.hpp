@@ -21,9 +21,13 @@ enum class EventKind : std::uint8_t { touch, breakaway, restick, release };
 
 [[nodiscard]] std::string_view to_string(EventKind kind);
 
-/// Names one sample: its hand, phalanx, body and its number in the patch.
+/// Names one sample: its hand, phalanx, body and its number in the patch. A sample that belongs to another body's
+/// surface has `hand` = `of_body` and that body's index as `phalanx`.
 struct SampleId {
   std::uint8_t hand{}, phalanx{}, body{}, sample{};
+
+  static constexpr std::uint8_t of_body = 255;
+  [[nodiscard]] bool belongs_to_body() const { return hand == of_body; }
 
   [[nodiscard]] friend bool operator==(const SampleId& a, const SampleId& b) { return key(a) == key(b); }
   [[nodiscard]] friend bool operator<(const SampleId& a, const SampleId& b) { return key(a) < key(b); }
@@ -43,7 +47,7 @@ struct ContactState {
   SampleId id{};
   Mode mode{Mode::apart};
   double depth{};                                ///< d = −(p − C)·n [m]
-  Eigen::Vector3d p_W{Eigen::Vector3d::Zero()};  ///< sample point on the phalanx
+  Eigen::Vector3d p_W{Eigen::Vector3d::Zero()};  ///< sample point on the phalanx, or on the other body
   Eigen::Vector3d C_W{Eigen::Vector3d::Zero()};  ///< anchor on the object
   Eigen::Vector3d n_W{Eigen::Vector3d::Zero()};  ///< outward normal at the anchor
   Eigen::Vector3d f_W{Eigen::Vector3d::Zero()};  ///< force on the object at C [N]
@@ -54,7 +58,7 @@ struct ContactState {
 struct Energy {
   double kinetic{}, potential{}, elastic{};
   double dissipated{};  ///< by friction and damping since t = 0
-  double hand_work{};   ///< done by the hand, and by a support that carries the weight, since t = 0
+  double hand_work{};   ///< done by hands, applied loads, and a support that carries the weight, since t = 0
 };
 
 struct Frame {

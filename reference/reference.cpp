@@ -26,6 +26,12 @@ void check_scene(const Scene& scene, const Options& options) {
 
 }  // namespace
 
+Options preset(std::string_view name) {
+  if (name == "reference") return {};
+  if (name == "gold") return {.accuracy = 1e-12, .max_step = 5e-4};
+  throw InputError(fmt::format("preset '{}': no such preset (there are reference, gold)", name));
+}
+
 void validate(const Options& options) {
   if (!(options.accuracy >= least_accuracy && options.accuracy <= most_accuracy))
     throw InputError(fmt::format("accuracy={:g}: must be {:g} to {:g} (1e-10 is the default)", options.accuracy,

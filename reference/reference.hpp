@@ -1,18 +1,30 @@
 #pragma once
 
 #include <functional>
+#include <string_view>
 
 #include "cases/recording.hpp"
 #include "cases/scene/scene.hpp"
 
 namespace handhold::reference {
 
+/// Which surface the samples touch.
+enum class SurfaceModel {
+  voxels,  ///< the zero set of the C2 spline through the shared voxel field
+  mesh,    ///< the exact triangles
+};
+
 struct Options {
   double accuracy{1e-10};       ///< local error of the integrator a step [m, rad, m/s, J, absolute], 1e-13 to 1e-3
   double max_step{1e-3};        ///< longest step; a pair of events inside one step would be missed [s], > 0
   double frame_rate{90};        ///< of the recording [Hz], > 0
   long step_limit{20'000'000};  ///< accepted steps, after which the run counts as stalled, > 0
+  SurfaceModel surface{SurfaceModel::voxels};
 };
+
+/// Options of a name: "reference" (the defaults) or "gold" (accuracy 1e-12, steps of at most 5e-4 s: to certify the
+/// others). Throws InputError for another.
+[[nodiscard]] Options preset(std::string_view name);
 
 /// Throws InputError for an option out of range.
 void validate(const Options& options);

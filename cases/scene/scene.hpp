@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -43,16 +44,26 @@ struct Inertia {
 /// over. τ [s]:
 inline constexpr double support_time = 0.01;
 
+/// A force at a body's centre of mass and a torque, both in W.
+struct Load {
+  Eigen::Vector3d force_W{Eigen::Vector3d::Zero()};   ///< [N]
+  Eigen::Vector3d torque_W{Eigen::Vector3d::Zero()};  ///< [N m]
+};
+
 /// One object, ready to simulate.
 struct Body {
   std::string name{};
   std::shared_ptr<const VoxelField> field{};
   Inertia inertia{};
   Mobility mobility{Mobility::free};
-  Friction friction{};   ///< against skin
+  Friction friction{};   ///< against skin; two bodies have `combined` of theirs
   Pose X_WO{};           ///< at t = 0
   Twist V_WO{};          ///< at t = 0; v is the velocity of O's origin
   double held_until{0};  ///< a support (see support_time) holds the body up until then [s]
+  /// Points of the body's surface, in O, that touch the surfaces of the other bodies, at most 255; none: it is touched
+  /// by others' samples only. See surface_samples (geometry/surface_samples.hpp).
+  std::vector<Eigen::Vector3d> samples_O{};
+  std::function<Load(double t)> load{};  ///< applied besides gravity, smooth in t; empty: none
 };
 
 /// How a sample starts at t = 0 if it is inside its object.
@@ -78,9 +89,10 @@ struct Hand {
 /// Everything both engines are given. Poses and vectors in W (z up) unless named otherwise; SI.
 struct Scene {
   std::string name{};
-  double duration{1};                    ///< [s], > 0; time starts at 0
-  Eigen::Vector3d gravity{0, 0, -9.81};  ///< [m/s²]
-  ContactParameters contact{};
+  double duration{1};                       ///< [s], > 0; time starts at 0
+  Eigen::Vector3d gravity{0, 0, -9.81};     ///< [m/s²]
+  ContactParameters contact{};              ///< of hands with bodies
+  ContactParameters body_contact{2e4, 20};  ///< of bodies with each other, per sample of `Body::samples_O`
   PatchOptions patch{};
   std::vector<Body> bodies{};
   std::vector<Hand> hands{};

@@ -9,6 +9,7 @@
 #include "cases/geometry/field_cache.hpp"
 #include "cases/geometry/mass_properties.hpp"
 #include "cases/geometry/shapes.hpp"
+#include "cases/geometry/surface_samples.hpp"
 #include "cases/geometry/voxelizer.hpp"
 #include "cases/hand/trace_reader.hpp"
 #include "cases/scene/materials.hpp"
@@ -76,7 +77,13 @@ Friction friction_of(const BodySpec& body) {
   return body.material.empty() ? Friction{} : material(body.material).friction();
 }
 
-Body build_body(const BodySpec& spec, const fs::path& base) {
+/// `alone`: there is no other body to touch.
+double sample_spacing(const BodySpec& spec, const Body& body, bool alone) {
+  if (spec.sample_spacing) return *spec.sample_spacing;
+  return alone || spec.mobility == Mobility::fixed ? 0 : body.field->bounds().sizes().maxCoeff();
+}
+
+Body build_body(const BodySpec& spec, const fs::path& base, bool alone) {
   const Solid solid = make_solid(spec, base);
   Body body;
   body.name = spec.name;
@@ -87,6 +94,8 @@ Body build_body(const BodySpec& spec, const fs::path& base) {
   body.X_WO = {spec.orientation, spec.position};
   body.V_WO = {spec.angular_velocity, spec.velocity};
   body.held_until = spec.held_until;
+  const double spacing = sample_spacing(spec, body, alone);
+  if (spacing > 0) body.samples_O = surface_samples(solid.mesh, spacing);
   return body;
 }
 
@@ -137,10 +146,12 @@ Scene build(const SceneSpec& spec, const std::filesystem::path& base) {
   scene.duration = spec.duration;
   scene.gravity = spec.gravity;
   scene.contact = spec.contact;
+  scene.body_contact = spec.body_contact;
   scene.patch = spec.patch;
+  const bool alone = spec.bodies.size() == 1;
   for (const BodySpec& body : spec.bodies) {
-    scene.bodies.push_back(
-        located(spec, line_of(body), fmt::format("body '{}'", body.name), [&] { return build_body(body, base); }));
+    scene.bodies.push_back(located(spec, line_of(body), fmt::format("body '{}'", body.name),
+                                   [&] { return build_body(body, base, alone); }));
   }
   for (std::size_t i = 0; i < spec.hands.size(); ++i) {
     const HandSpec& hand = spec.hands[i];

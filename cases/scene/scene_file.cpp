@@ -89,6 +89,8 @@ BodySpec read_body(const Section& section) {
   section.read("angular_velocity", body.angular_velocity);
   section.read("held_until", body.held_until);
   section.require_not_negative("held_until", body.held_until, "s");
+  section.read("sample_spacing", body.sample_spacing);
+  section.require_not_negative("sample_spacing", body.sample_spacing.value_or(0), "m");
   return body;
 }
 
@@ -172,6 +174,7 @@ SceneSpec read_spec(const Section& root) {
   root.require_positive("duration", spec.duration, "s");
   root.read("gravity", spec.gravity);
   if (root.has("contact")) read_contact(root.inner("contact", {"stiffness", "damping"}), spec.contact);
+  if (root.has("body_contact")) read_contact(root.inner("body_contact", {"stiffness", "damping"}), spec.body_contact);
   if (root.has("patch")) {
     read_patch_options(root.inner("patch", {"samples", "finger_radius", "thumb_radius", "palm_radius", "contact_offset",
                                             "reference_point"}),
@@ -179,7 +182,7 @@ SceneSpec read_spec(const Section& root) {
   }
   root.each("bodies",
             {"name", "shape", "mesh", "scale", "voxel_size", "band", "material", "density", "mass", "friction",
-             "mobility", "position", "orientation", "velocity", "angular_velocity", "held_until"},
+             "mobility", "position", "orientation", "velocity", "angular_velocity", "held_until", "sample_spacing"},
             [&](const Section& body) { spec.bodies.push_back(read_body(body)); });
   root.each("hands", {"trace", "side", "index", "position", "orientation", "start", "longest_bridge", "patches"},
             [&](const Section& hand) { spec.hands.push_back(read_hand(hand)); });
@@ -203,7 +206,8 @@ SceneSpec parse_scene(std::string_view text, const std::string& source) {
     throw InputError(one_line(fmt::format("{}:{}: {}: must be TOML (correct the line)", source,
                                           error.source().begin.line, error.description())));
   }
-  return read_spec(Section(table, source, "", {"name", "duration", "gravity", "contact", "patch", "bodies", "hands"}));
+  return read_spec(Section(table, source, "",
+                           {"name", "duration", "gravity", "contact", "body_contact", "patch", "bodies", "hands"}));
 }
 
 SceneSpec read_scene(const std::filesystem::path& path) {

@@ -51,6 +51,9 @@ struct BodySpec {
   Eigen::Vector3d velocity{Eigen::Vector3d::Zero()};          ///< of O's origin in W at t = 0 [m/s]
   Eigen::Vector3d angular_velocity{Eigen::Vector3d::Zero()};  ///< in W at t = 0 [rad/s]
   double held_until{0};  ///< a support holds the body up, as in thick oil, until then [s], >= 0
+  /// Of the surface samples that touch other bodies [m]; 0: none. Absent: the longest side in a scene of several bodies
+  /// (corners of a box), none for a fixed body or one alone.
+  std::optional<double> sample_spacing{};
   Location location{};
 };
 
@@ -78,10 +81,11 @@ struct HandSpec {
 
 /// A scene as written in a file: names of files instead of their contents.
 struct SceneSpec {
-  std::string name{};                    ///< default: the file's name without extension
-  double duration{1};                    ///< [s], > 0
-  Eigen::Vector3d gravity{0, 0, -9.81};  ///< [m/s²]
-  ContactParameters contact{};           ///< `[contact]`: stiffness [N/m], damping [N s/m]
+  std::string name{};                                    ///< default: the file's name without extension
+  double duration{1};                                    ///< [s], > 0
+  Eigen::Vector3d gravity{0, 0, -9.81};                  ///< [m/s²]
+  ContactParameters contact{};                           ///< `[contact]`: stiffness [N/m], damping [N s/m]
+  ContactParameters body_contact{Scene{}.body_contact};  ///< `[body_contact]`: the same, of bodies with each other
   PatchOptions patch{};  ///< `[patch]`: keys as in PatchOptions, lengths [m]; reference_point "skin", "centroid"
   std::vector<BodySpec> bodies{};  ///< `[[bodies]]`
   std::vector<HandSpec> hands{};   ///< `[[hands]]`

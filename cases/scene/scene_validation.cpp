@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "cases/error.hpp"
+#include "cases/recording.hpp"
 #include "cases/scene/scene.hpp"
 
 namespace handhold {
@@ -17,7 +18,8 @@ namespace {
 constexpr double unit_tolerance = 1e-6;     // of a quaternion's norm: six printed digits are accepted
 constexpr double inertia_tolerance = 1e-9;  // of the trace: rounding of a rotated tensor, far below any real violation
 constexpr std::size_t most_bodies = std::numeric_limits<std::uint8_t>::max();  // SampleId has one byte for each
-constexpr std::size_t most_hands = std::numeric_limits<std::uint8_t>::max();
+constexpr std::size_t most_samples = std::numeric_limits<std::uint8_t>::max();
+constexpr std::size_t most_hands = SampleId::of_body;
 
 [[noreturn]] void reject(const std::string& what) { throw InputError(what); }
 
@@ -103,6 +105,11 @@ void check_body(const Body& body) {
   }
   check_inertia(who, body);
   check_velocity(who, body);
+  if (body.samples_O.size() > most_samples) {
+    reject(
+        fmt::format("{}: {} surface samples: at most {} (space them wider)", who, body.samples_O.size(), most_samples));
+  }
+  for (const Eigen::Vector3d& p : body.samples_O) check_finite(who + ": surface sample", p, "m", most_length);
 }
 
 void check_given(const std::string& who, const GivenPatch& patch) {
@@ -168,6 +175,7 @@ void validate(const Scene& scene) {
   }
   check_finite("gravity", scene.gravity, "m/s^2", most_gravity);
   validate(scene.contact);
+  validate(scene.body_contact);
   validate(scene.patch);
   if (scene.bodies.empty()) reject(fmt::format("scene '{}': has no body (add at least one)", scene.name));
   if (scene.bodies.size() > most_bodies) {

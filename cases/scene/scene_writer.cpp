@@ -84,6 +84,7 @@ void write_body(const BodySpec& body, Output out) {
                  list(body.position), list(body.orientation));
   fmt::format_to(out, "velocity = {}\nangular_velocity = {}\nheld_until = {}\n", list(body.velocity),
                  list(body.angular_velocity), body.held_until);
+  if (body.sample_spacing) fmt::format_to(out, "sample_spacing = {}\n", *body.sample_spacing);
 }
 
 void write_patch(const PatchSpec& patch, Output out) {
@@ -103,6 +104,8 @@ void write_hand(const HandSpec& hand, Output out) {
 
 void write_options(const SceneSpec& spec, Output out) {
   fmt::format_to(out, "\n[contact]\nstiffness = {}\ndamping = {}\n", spec.contact.stiffness, spec.contact.damping);
+  fmt::format_to(out, "\n[body_contact]\nstiffness = {}\ndamping = {}\n", spec.body_contact.stiffness,
+                 spec.body_contact.damping);
   const PatchOptions& patch = spec.patch;
   fmt::format_to(out, "\n[patch]\nsamples = {}\nfinger_radius = {}\nthumb_radius = {}\npalm_radius = {}\n",
                  patch.samples, patch.finger_radius, patch.thumb_radius, patch.palm_radius);
