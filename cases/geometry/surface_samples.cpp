@@ -20,6 +20,9 @@ using Eigen::Vector3d;
 constexpr double sharp_cosine = 0.8660254037844386;                             // of 30 degrees
 constexpr std::size_t most_samples = std::numeric_limits<std::uint8_t>::max();  // SampleId has one byte
 
+constexpr double least_of_corners = 0.15;  // a block whose longest side is the spacing keeps its eight
+constexpr double least_of_others = 0.75;
+
 using Edge = std::pair<int, int>;
 
 Vector3d normal_of(const Mesh& mesh, const std::array<int, 3>& t) {
@@ -48,9 +51,9 @@ class Taker {
  public:
   explicit Taker(double spacing) : spacing_(spacing) {}
 
-  void offer(const Vector3d& p) {
-    const double least = 0.75 * spacing_;  // a length cut into equal parts has parts of at least half of it
-    const auto near = [&](const Vector3d& q) { return (p - q).norm() < least; };
+  /// `least`: distance to those taken, in spacings.
+  void offer(const Vector3d& p, double least) {
+    const auto near = [&](const Vector3d& q) { return (p - q).norm() < least * spacing_; };
     if (std::any_of(points_.begin(), points_.end(), near)) return;
     points_.push_back(p);
     if (points_.size() <= most_samples) return;
@@ -78,10 +81,10 @@ std::vector<Vector3d> surface_samples(const Mesh& mesh, double spacing) {
   std::map<int, int> sharp_at;
   for (const auto& [i, j] : edges) ++sharp_at[i], ++sharp_at[j];
   for (const auto& [i, count] : sharp_at)
-    if (count >= 3) taker.offer(vertex(i));
+    if (count >= 3) taker.offer(vertex(i), least_of_corners);
   for (const auto& [i, j] : edges) {
     const int n = parts((vertex(j) - vertex(i)).norm(), spacing);
-    for (int k = 0; k <= n; ++k) taker.offer(vertex(i) + double(k) / n * (vertex(j) - vertex(i)));
+    for (int k = 0; k <= n; ++k) taker.offer(vertex(i) + double(k) / n * (vertex(j) - vertex(i)), least_of_others);
   }
   for (const std::array<int, 3>& t : mesh.triangles) {
     const Vector3d &a = vertex(t[0]), b = vertex(t[1]) - a, c = vertex(t[2]) - a;
@@ -89,7 +92,7 @@ std::vector<Vector3d> surface_samples(const Mesh& mesh, double spacing) {
     std::sort(length.begin(), length.end());
     const int n = parts(length[1], spacing);  // not the diagonal of a face, yet the length of a sliver
     for (int i = 0; i <= n; ++i)
-      for (int j = 0; i + j <= n; ++j) taker.offer(a + double(i) / n * b + double(j) / n * c);
+      for (int j = 0; i + j <= n; ++j) taker.offer(a + double(i) / n * b + double(j) / n * c, least_of_others);
   }
   return taker.take();
 }

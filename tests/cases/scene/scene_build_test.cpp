@@ -49,6 +49,26 @@ class SceneBuild : public testing::Test {
 const std::string box =
     "[[bodies]]\nname = \"box\"\nvoxel_size = 0.005\nshape = { kind = \"box\", x = 0.1, y = 0.2, z = 0.3 }\n";
 
+TEST_F(SceneBuild, SeveralBodiesTouchWithTheirCorners) {
+  const std::string fixed =
+      "[[bodies]]\nname = \"table\"\nvoxel_size = 0.01\nmobility = \"fixed\"\n"
+      "shape = { kind = \"box\", x = 0.5, y = 0.5, z = 0.1 }\n";
+  const Scene alone = build_text(box + "density = 500\n");
+  EXPECT_TRUE(alone.bodies.at(0).samples_O.empty());
+  const Scene two = build_text(box + "density = 500\n" + fixed);
+  EXPECT_EQ(two.bodies.at(0).samples_O.size(), 8u);
+  EXPECT_TRUE(two.bodies.at(1).samples_O.empty());
+  const Scene none = build_text(box + "density = 500\nsample_spacing = 0\n" + fixed);
+  EXPECT_TRUE(none.bodies.at(0).samples_O.empty());
+}
+
+TEST_F(SceneBuild, BodiesHaveTheirOwnContactElement) {
+  const Scene scene = build_text("[body_contact]\nstiffness = 5000\n" + box + "density = 500\n");
+  EXPECT_EQ(scene.body_contact.stiffness, 5000);
+  EXPECT_EQ(scene.body_contact.damping, Scene{}.body_contact.damping);
+  EXPECT_EQ(scene.contact.stiffness, ContactParameters{}.stiffness);
+}
+
 // A cuboid: V = xyz, Jx = m (y² + z²) / 12.
 TEST_F(SceneBuild, WeighsABoxByItsDensity) {
   const Scene scene = build_text(box + "density = 500\n");

@@ -182,12 +182,17 @@ TEST(SceneFile, RoundTripKeepsEveryBit) {
   spec.gravity = {1e-300, 1e300, 123456789012345680.0};
   spec.bodies[0].orientation = Eigen::Quaterniond(0.1, -0.2, 0.3, 0.7).normalized();
   spec.bodies[0].mass = 0.1 + 0.2;
+  spec.bodies[0].sample_spacing = 0.01 / 3;
+  spec.body_contact = {1e5 / 3, 1 / 7.0};
   const SceneSpec read = parse_scene(to_toml(spec), "s.toml");
   EXPECT_EQ(read.name, spec.name);
   EXPECT_EQ(read.duration, spec.duration);
   EXPECT_EQ(read.gravity, spec.gravity);
   EXPECT_EQ(read.bodies[0].orientation.coeffs(), spec.bodies[0].orientation.coeffs());
   EXPECT_EQ(read.bodies[0].mass, spec.bodies[0].mass);
+  EXPECT_EQ(read.bodies[0].sample_spacing, spec.bodies[0].sample_spacing);
+  EXPECT_EQ(read.body_contact.stiffness, spec.body_contact.stiffness);
+  EXPECT_EQ(read.body_contact.damping, spec.body_contact.damping);
 }
 
 TEST(SceneFile, NormalisesAQuaternionTypedWithFewDigits) {
