@@ -4,7 +4,8 @@ set(config_dir "${CMAKE_INSTALL_LIBDIR}/cmake/handhold")
 
 include(PrivateHeaders)
 foreach(folder IN ITEMS cases realtime reference compare reports)
-  file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}" "${PROJECT_SOURCE_DIR}/${folder}/*.hpp")
+  file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}"
+    "${PROJECT_SOURCE_DIR}/${folder}/*.hpp" "${PROJECT_SOURCE_DIR}/${folder}/*.h")
   list(FILTER headers EXCLUDE REGEX "${private_headers}")
   foreach(header IN LISTS headers)
     cmake_path(GET header PARENT_PATH below)

@@ -13,6 +13,7 @@ struct EngineOptions {
   double frame_rate{90};   ///< frames of the recording, and the real-time path's clock [Hz]
   int substeps{4};         ///< of the real-time path, a frame
   double accuracy{1e-10};  ///< of the reference's integrator
+  double max_step{1e-3};   ///< of the reference's integrator [s]
 };
 
 /// Called now and then with the simulated time [s]; returning false stops the run, which keeps what it has.

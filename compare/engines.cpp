@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "cases/error.hpp"
+#include "compare/baseline_engines.hpp"
 #include "realtime/world.hpp"
 #ifdef HANDHOLD_REFERENCE
 #include "reference/reference.hpp"
@@ -31,7 +32,8 @@ void sample_hands(const Scene& scene, double t, std::vector<realtime::HandFrame>
 }
 
 Frame frame_of(const realtime::World& world) {
-  Frame frame{.t = world.time(), .bodies = {world.body().state()}, .energy = world.energy()};
+  Frame frame{.t = world.time(), .energy = world.energy()};
+  for (const realtime::RigidBody& body : world.bodies()) frame.bodies.push_back(body.state());
   for (const realtime::PatchSlot& patch : world.contacts().patches)
     if (patch.active)
       for (int i = 0; i < patch.count; ++i) frame.contacts.push_back(world.contact(patch.slot(i)));
@@ -93,7 +95,9 @@ class ReferenceEngine : public Engine {
 
   [[nodiscard]] Recording simulate(const Scene& scene, const EngineOptions& options,
                                    const Progress& progress) const override {
-    return reference::simulate(scene, {.accuracy = options.accuracy, .frame_rate = options.frame_rate}, progress);
+    return reference::simulate(
+        scene, {.accuracy = options.accuracy, .max_step = options.max_step, .frame_rate = options.frame_rate},
+        progress);
   }
 };
 #endif
@@ -105,17 +109,20 @@ std::unique_ptr<Engine> make_engine(const std::string& name) {
 #ifdef HANDHOLD_REFERENCE
   if (name == "reference") return std::make_unique<ReferenceEngine>();
 #endif
+  if (std::unique_ptr<Engine> baseline = make_baseline_engine(name)) return baseline;
   std::string known;
   for (const std::string& engine : engine_names()) known += (known.empty() ? "" : ", ") + engine;
   throw InputError(fmt::format("engine '{}': no such engine (there are {})", name, known));
 }
 
 std::vector<std::string> engine_names() {
+  std::vector<std::string> names;
 #ifdef HANDHOLD_REFERENCE
-  return {"reference", "realtime"};
-#else
-  return {"realtime"};
+  names.emplace_back("reference");
 #endif
+  names.emplace_back("realtime");
+  for (const std::string& name : baseline_engine_names()) names.push_back(name);
+  return names;
 }
 
 }  // namespace handhold::compare

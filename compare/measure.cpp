@@ -122,6 +122,36 @@ double held(const Reader& reader, const Recording& recording, double level) {
   return 1;
 }
 
+/// The frame at that instant; none between frames.
+const Frame* frame_at(const Recording& recording, double t) {
+  for (const Frame& frame : recording.frames)
+    if (std::abs(frame.t - t) < 1e-12) return &frame;
+  return nullptr;
+}
+
+bool chosen(const ContactState& contact, const Measure& what) {
+  return contact.id.body == 0 && (what.phalanx < 0 || contact.id.phalanx == what.phalanx) &&
+         (what.sample < 0 || contact.id.sample == what.sample);
+}
+
+/// Force or torque of the chosen samples.
+double load(const Recording& recording, const Measure& what) {
+  const Frame* frame = what.at ? frame_at(recording, *what.at) : nullptr;
+  if (!frame) return nan;
+  double sum = 0;
+  for (const ContactState& c : frame->contacts) {
+    if (!chosen(c, what)) continue;
+    const Eigen::Vector3d part = what.kind == Kind::force ? c.f_W : (c.C_W - what.point).cross(c.f_W).eval();
+    sum += what.axis.dot(part);
+  }
+  return sum;
+}
+
+double count(const Recording& recording, EventKind kind) {
+  return double(
+      std::count_if(recording.events.begin(), recording.events.end(), [&](const Event& e) { return e.kind == kind; }));
+}
+
 }  // namespace
 
 double measure(const Scene& scene, const Recording& recording, const Measure& what) {
@@ -148,6 +178,15 @@ double measure(const Scene& scene, const Recording& recording, const Measure& wh
       return held(reader, recording, what.level);
     case Kind::no_event:
       return event ? 0 : 1;
+    case Kind::event_count:
+      return count(recording, what.event);
+    case Kind::force:
+    case Kind::torque:
+      return load(recording, what);
+    case Kind::dissipated: {
+      const Frame* frame = what.at ? frame_at(recording, *what.at) : nullptr;
+      return frame ? frame->energy.dissipated : nan;
+    }
   }
   return nan;
 }

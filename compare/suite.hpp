@@ -19,6 +19,7 @@ struct Judgement {
   double value{};  ///< measured; NaN when the recording does not show it
   double error{};  ///< |value − truth|, or |value / truth − 1| when the limit is relative
   Gate gate{};
+  bool asked{true};  ///< false: the engine was not run (Run::not_realtime); the gate then says why and is not counted
 };
 
 /// Error of one quantity against the sub-step of the real-time path. The frame is shortened with the sub-step: a hand
@@ -69,16 +70,17 @@ struct SuiteOptions {
   EngineOptions engine{};
   std::vector<std::string> ids{};                   ///< cases to run; empty: all
   std::vector<int> study_refinements{2, 4, 8, 16};  ///< of frame and sub-step in the order studies; empty: none
+  std::function<bool()> stop{};  ///< asked now and then within a run; true ends the suite, without that run
 };
 
-/// Told what is about to run; returning false stops after the current run.
+/// Told what is about to run; returning false stops before it.
 using SuiteProgress = std::function<bool(const std::string& what)>;
 
 /// Runs every case through both engines and judges. Throws InputError for an unknown id (listing the ids).
 [[nodiscard]] SuiteResult run_suite(const Engine& reference, const Engine& realtime, const SuiteOptions& options = {},
                                     const SuiteProgress& progress = {});
 
-/// All gates of the result, in order: reference, real time and order study of every finding.
+/// All gates of the result, in order: reference, real time (where it was asked) and order study of every finding.
 [[nodiscard]] std::vector<const Gate*> gates(const SuiteResult& result);
 
 /// True when every gate holds, there is at least one, and the run was not interrupted.

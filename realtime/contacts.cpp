@@ -1,7 +1,11 @@
 #include "realtime/contacts.hpp"
 
+#include <algorithm>
+
 namespace handhold::realtime {
 namespace {
+
+constexpr std::size_t neighbours = 16;  // that a body has at one time before the pool must grow
 
 const GivenPatch* find_given(const Hand& hand, int phalanx) {
   for (const GivenPatch& given : hand.given)
@@ -11,14 +15,27 @@ const GivenPatch* find_given(const Hand& hand, int phalanx) {
 
 void resize(Contacts& contacts, std::size_t size) {
   contacts.id.resize(size);
-  contacts.mode.assign(size, Mode::apart);
+  contacts.mode.resize(size, Mode::apart);
   contacts.p_P.resize(size);
   contacts.C_O.resize(size);
   contacts.n_O.resize(size);
-  contacts.lag_O.resize(size);
   contacts.f_W.resize(size);
-  contacts.depth.assign(size, 0);
-  contacts.near.assign(size, 0);
+}
+
+int even(int count) { return count + count % 2; }
+
+int most_samples(const Scene& scene) {
+  std::size_t most = 0;
+  for (const Body& body : scene.bodies) most = std::max(most, body.samples_O.size());
+  return int(most);
+}
+
+void add_pool(const Scene& scene, std::size_t patches, Contacts& contacts) {
+  const int count = most_samples(scene);
+  int next = int(contacts.size());
+  for (std::size_t i = 0; i < patches; ++i, next += even(count))
+    contacts.patches.push_back({.hand = SampleId::of_body, .first = next});
+  resize(contacts, std::size_t(next));
 }
 
 }  // namespace
@@ -33,9 +50,10 @@ Contacts make_contacts(const Scene& scene) {
       for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
         const int count = given ? int(given->p_P.size()) : scene.patch.samples;
         contacts.patches.push_back({int(hand), phalanx, int(body), next, count, given != nullptr, given != nullptr});
-        next += count;
+        next += even(count);
       }
     }
+  contacts.hand_patches = contacts.patches.size();
   resize(contacts, std::size_t(next));
   for (const PatchSlot& patch : contacts.patches)
     for (int i = 0; i < patch.count; ++i) {
@@ -44,7 +62,13 @@ Contacts make_contacts(const Scene& scene) {
                            std::uint8_t(i)};
       if (patch.given) contacts.p_P.set(slot, find_given(scene.hands[patch.hand], patch.phalanx)->p_P[i]);
     }
+  const std::size_t bodies = scene.bodies.size();
+  if (most_samples(scene) > 0) add_pool(scene, bodies * std::min(bodies - 1, neighbours), contacts);
   return contacts;
+}
+
+void grow_pool(const Scene& scene, Contacts& contacts) {
+  add_pool(scene, contacts.patches.size() - contacts.hand_patches, contacts);
 }
 
 }  // namespace handhold::realtime

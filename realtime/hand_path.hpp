@@ -19,8 +19,11 @@ struct HandFrame {
 /// Fewer than three frames: first order, or rest.
 class HandPath {
  public:
-  /// The next frame, `dt` seconds after the last. A hand that was absent starts anew; a pose that is not finite counts
-  /// as absent.
+  /// `longest_bridge`: after a longer absence nothing is known of where the hand has been [s].
+  explicit HandPath(double longest_bridge = 0.1) : longest_bridge_(longest_bridge) {}
+
+  /// The next frame, `dt` seconds after the last. A hand that was absent starts anew, at rest; a pose that is not
+  /// finite counts as absent.
   void observe(double dt, const HandFrame& frame);
 
   [[nodiscard]] bool present() const { return known_ > 0; }
@@ -28,7 +31,15 @@ class HandPath {
   /// Pose of a phalanx at `fraction` of the way from the last frame but one (0) to the last (1).
   [[nodiscard]] Pose pose(int phalanx, double fraction) const;
 
+  /// The hand is back after a gap that is short enough to know which way it came: straight from `last_seen`.
+  [[nodiscard]] bool is_back() const { return is_back_; }
+  [[nodiscard]] const Pose& last_seen(int phalanx) const { return seen(1).X_WP[std::size_t(phalanx)]; }
+
  private:
+  struct Seen {
+    double dt{};  // since the frame before
+    std::array<Pose, phalanx_count> X_WP{};
+  };
   /// A phalanx's step between two frames, the turn as a rotation vector in the earlier phalanx's frame; rates are per
   /// frame.
   struct Step {
@@ -36,10 +47,17 @@ class HandPath {
     Eigen::Vector3d rate_begin{Eigen::Vector3d::Zero()}, rate_end{Eigen::Vector3d::Zero()};  // of move
     Eigen::Vector3d spin_begin{Eigen::Vector3d::Zero()}, spin_end{Eigen::Vector3d::Zero()};  // angular, in P
   };
-  std::array<Pose, phalanx_count> begin_{}, end_{};
-  std::array<Step, phalanx_count> step_{};
-  double dt_{};
-  int known_{};  // frames seen in a row, up to 3
+  [[nodiscard]] const Seen& seen(int frames_ago) const { return seen_[std::size_t((newest_ - frames_ago) & 3)]; }
+  [[nodiscard]] Eigen::Vector3d move(int phalanx, int frames_ago) const;
+  [[nodiscard]] Eigen::Vector3d turn(int phalanx, int frames_ago) const;
+  [[nodiscard]] Step step(int phalanx) const;
+
+  double longest_bridge_;
+  std::array<Seen, 4> seen_{};  // in turn
+  int newest_{};
+  int known_{};  // frames seen in a row, up to 4
+  bool ever_{false}, is_back_{false};
+  double absent_{};  // for how long [s]
 };
 
 }  // namespace handhold::realtime

@@ -1,97 +1,323 @@
 #include "realtime/implicit_step.hpp"
 
+#include <cmath>
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+
+#include "realtime/small_solve.hpp"
 
 namespace handhold::realtime {
 namespace {
 
-Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& r) {
-  Eigen::Matrix3d m;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+Matrix3d cross_matrix(const Vector3d& r) {
+  Matrix3d m;
   m << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
   return m;
 }
 
-/// Evaluates one element at the body's velocity u; its slope is zero when apart.
-ElementForce evaluate(StepSample& sample, const Vector6& u, const Friction& friction) {
-  const Eigen::Vector3d v_C = u.head<3>() + u.tail<3>().cross(sample.arm);
-  sample.trial = trial(sample.element, v_C);
+/// Σ Gᵀ G slope over the linear samples, G = [1, −a×].
+Matrix6 stick_slope(const PatchStep& p) {
+  const double s = p.stiffness.slope;
+  const Matrix3d a = s * cross_matrix(p.sums.arm);
+  Matrix6 S;
+  S.topLeftCorner<3, 3>() = s * p.sums.count * Matrix3d::Identity();
+  S.topRightCorner<3, 3>() = -a;
+  S.bottomLeftCorner<3, 3>() = a;
+  S.bottomRightCorner<3, 3>() = s * (p.sums.arm_arm.trace() * Matrix3d::Identity() - p.sums.arm_arm);
+  return S;
+}
+
+/// Adds Gᵀ D G.
+void add_slope(const Vector3d& arm, const Matrix3d& D, Matrix6& S) {
+  const Matrix3d r = cross_matrix(arm);
+  const Matrix3d Dr = D * r;
+  S.topLeftCorner<3, 3>() += D;
+  S.topRightCorner<3, 3>() -= Dr;
+  S.bottomLeftCorner<3, 3>() += r * D;
+  S.bottomRightCorner<3, 3>() -= r * Dr;
+}
+
+/// Evaluates one element at a change `dv` of relative velocity; its slope is zero when apart.
+void evaluate(Slider& slider, const Vector3d& dv, const Friction& friction) {
+  slider.trial = trial(slider.element, dv);
   ElementForce force;
-  if (sample.trial.N > 0)
-    force = sample.sliding ? sliding_force(sample.element, sample.trial, friction.mu_dynamic)
-                           : sticking_force(sample.element, sample.trial);
-  sample.f = force.f;
-  sample.tangent = force.tangent;
-  return force;
+  if (slider.trial.N > 0)
+    force = slider.sliding ? sliding_force(slider.element, slider.trial, friction.mu_dynamic)
+                           : sticking_force(slider.element, slider.trial);
+  slider.f = force.f;
+  slider.tangent = force.tangent;
+  slider.slope = force.slope;
 }
 
-/// Adds Gᵀ f to `force` and Gᵀ S G to `slope`, G = [1, −r×].
-void accumulate(const Eigen::Vector3d& arm, const ElementForce& element, Vector6& force, Matrix6& slope) {
-  const Eigen::Matrix3d r = cross_matrix(arm);
-  const Eigen::Matrix3d Sr = element.slope * r;
-  force.head<3>() += element.f;
-  force.tail<3>() += arm.cross(element.f);
-  slope.topLeftCorner<3, 3>() += element.slope;
-  slope.topRightCorner<3, 3>() -= Sr;
-  slope.bottomLeftCorner<3, 3>() += r * element.slope;
-  slope.bottomRightCorner<3, 3>() -= r * Sr;
-}
-
-/// Sticking samples outside the static cone start to slide; true if there was one.
-bool break_away(std::vector<StepSample>& samples, std::size_t count, const Friction& friction) {
+/// Sticking sliders outside the static cone start to slide; true if there was one.
+bool break_away(Island& island) {
   bool any = false;
-  for (std::size_t i = 0; i < count; ++i) {
-    StepSample& s = samples[i];
-    if (s.sliding || s.trial.N <= 0 || s.trial.t_norm <= friction.mu_static * s.trial.N) continue;
-    s.sliding = any = true;
+  for (const PatchStep& p : island.patches)
+    for (int i = p.first_slider; i < p.first_slider + p.slider_count; ++i) {
+      Slider& s = island.sliders[std::size_t(i)];
+      if (s.sliding || s.trial.N <= 0 || s.trial.t_norm <= p.friction.mu_static * s.trial.N) continue;
+      s.sliding = any = true;
+    }
+  return any;
+}
+
+/// Linear samples that do not hold at the solution become free ones; true if there was one.
+bool let_go(const PatchStep& p, const Contacts& contacts, SampleSteps& samples, std::vector<Role>& role) {
+  bool any = false;
+  const PatchSlot& patch = contacts.patches[std::size_t(p.patch)];
+  for (int i = 0; i < patch.count; ++i) {
+    const std::size_t slot = patch.slot(i);
+    if (role[slot] != Role::linear) continue;
+    const Vector3d f = contacts.f_W[slot], n = samples.n[slot];
+    const double N = -f.dot(n);
+    if (N > 0 && (f + N * n).norm() <= p.friction.mu_static * N) continue;
+    role[slot] = Role::free;
+    samples.linear[slot] = 0;
+    any = true;
+  }
+  return any;
+}
+
+/// Samples on watch that the solution brings inside become free ones; true if there was one.
+bool step_in(const PatchStep& p, double reach, const Vector3d& dv, const Vector3d& dw, const Contacts& contacts,
+             const SampleSteps& samples, std::vector<Role>& role) {
+  bool any = false;
+  const PatchSlot& patch = contacts.patches[std::size_t(p.patch)];
+  for (int i = 0; i < patch.count; ++i) {
+    const std::size_t slot = patch.slot(i);
+    if (role[slot] != Role::watch) continue;
+    const Vector3d end = samples.reach[slot] - reach * (dv + dw.cross(samples.arm[slot]));
+    if (end.dot(samples.n[slot]) >= 0) continue;
+    role[slot] = Role::free;
+    any = true;
   }
   return any;
 }
 
 }  // namespace
 
-SolverReport solve_velocity(const RigidBody& body, const Vector6& external, double drag, double h,
-                            const Friction& friction, std::vector<StepSample>& samples, std::size_t count,
-                            const SolverOptions& options, Vector6& u) {
-  if (!body.moves()) {
-    u.setZero();
-    for (std::size_t i = 0; i < count; ++i) evaluate(samples[i], u, friction);
-    if (break_away(samples, count, friction))
-      for (std::size_t i = 0; i < count; ++i) evaluate(samples[i], u, friction);
-    return {};
-  }
-  const Matrix6 M = mass_matrix(body);
-  Vector6 u0;
-  u0 << body.v, body.w;
-  u = u0;
-  const bool turns = body.mobility == Mobility::free;
-  for (int iteration = 1; iteration <= options.max_iterations; ++iteration) {
-    Vector6 force = external;
-    Matrix6 slope = Matrix6::Zero();
-    double largest = external.norm();
-    for (std::size_t i = 0; i < count; ++i) {
-      const ElementForce element = evaluate(samples[i], u, friction);
-      if (samples[i].trial.N <= 0) continue;
-      accumulate(samples[i].arm, element, force, slope);
-      largest += element.f.norm();
-    }
-    Vector6 residual = M * (u - u0 + h * drag * u) - h * force;
-    if (!turns) residual.tail<3>().setZero();
-    // Angular rows are in N m s: an arm of a metre would make them comparable, objects are smaller, so this is the safe
-    // side.
-    if (iteration > 1 && residual.norm() <= options.tolerance * (h * largest + (M * u0).norm())) {
-      if (!break_away(samples, count, friction)) return {iteration, true};
+void PatchStep::relative(const std::vector<BodyStep>& bodies, Vector3d& dv, Vector3d& dw) const {
+  const Vector6& d = bodies[std::size_t(target)].change;
+  dv = d.head<3>();
+  dw = d.tail<3>();
+  if (source < 0) return;
+  const Vector6& e = bodies[std::size_t(source)].change;
+  dv -= e.head<3>() + e.tail<3>().cross(offset);
+  dw -= e.tail<3>();
+}
+
+void IslandSolver::reserve(int bodies) {
+  row_.assign(std::size_t(bodies), -1);
+  residual_.reserve(std::size_t(bodies));
+  if (bodies > 1) blocks_.reserve(bodies);
+}
+
+void IslandSolver::begin(const Island& island) {
+  const int rows = int(island.bodies.size());
+  residual_.resize(island.bodies.size());
+  for (int i = 0; i < rows; ++i) row_[std::size_t(island.bodies[std::size_t(i)])] = i;
+  analysed_ = rows < 2;
+}
+
+/// Once an island, and only if there is anything to solve for.
+void IslandSolver::analyse(const Island& island) {
+  if (analysed_) return;
+  analysed_ = true;
+  blocks_.begin(int(island.bodies.size()));
+  for (const PatchStep& p : island.patches)
+    if (row(p.target) >= 0 && row(p.source) >= 0) blocks_.couple(row(p.target), row(p.source));
+  blocks_.analyse();
+}
+
+/// Makes sliders of all samples that are neither idle nor linear, in the order of slots, and sums the linear ones.
+void IslandSolver::collect(Island& island, double reach, const Contacts& contacts, const SampleSteps& samples,
+                           const std::vector<Role>& role) const {
+  island.sliders.clear();
+  for (PatchStep& p : island.patches) {
+    const PatchSlot& patch = contacts.patches[std::size_t(p.patch)];
+    p.first_slider = int(island.sliders.size());
+    p.sums = sum_sticking(patch, p.stiffness, samples);
+    if (p.sums.count == patch.count) {
+      p.slider_count = 0;
       continue;
     }
-    Matrix6 J = (1 + h * drag) * M + h * slope;
-    if (!turns) {
-      J.bottomRows<3>().setZero();
-      J.bottomRightCorner<3, 3>().setIdentity();
+    for (int i = 0; i < patch.count; ++i) {
+      const std::size_t slot = patch.slot(i);
+      if (role[slot] != Role::free && role[slot] != Role::sliding) continue;
+      Slider s;
+      s.slot = slot;
+      s.element = {p.stiffness.k, p.stiffness.c, reach, samples.n[slot], samples.reach[slot], samples.v[slot]};
+      s.arm = samples.arm[slot];
+      s.sliding = role[slot] == Role::sliding;
+      island.sliders.push_back(s);
     }
-    u -= J.partialPivLu().solve(residual);
+    p.slider_count = int(island.sliders.size()) - p.first_slider;
   }
-  for (std::size_t i = 0; i < count; ++i) evaluate(samples[i], u, friction);
-  return {options.max_iterations, false};
+}
+
+/// Puts a patch's slope against its relative velocity where its bodies' velocities are: T = [1, −offset×; 0, 1] takes
+/// the source's to the target's centre.
+void IslandSolver::add_stiffness(const PatchStep& p, double reach, const Matrix6& S) {
+  const int t = row(p.target), s = row(p.source);
+  if (residual_.size() == 1) {
+    if (t >= 0) dense_ += reach * S;
+    if (s < 0) return;
+  }
+  Matrix6 T = Matrix6::Identity();
+  T.topRightCorner<3, 3>() = -cross_matrix(p.offset);
+  if (residual_.size() == 1) {
+    dense_ += reach * T.transpose() * S * T;
+    return;
+  }
+  if (t >= 0) blocks_.block(t, t) += reach * S;
+  if (s < 0) return;
+  const Matrix6 ST = reach * S * T;
+  const Matrix6 TS = T.transpose() * S;
+  blocks_.block(s, s).noalias() += T.transpose() * ST;
+  if (t < 0) return;
+  blocks_.block(t, s) -= ST;
+  blocks_.block(s, t) -= reach * TS;
+}
+
+/// Residual at the present changes of velocity; true if it is next to nothing against the sizes of its terms.
+bool IslandSolver::is_balanced(Island& island, double reach, const std::vector<BodyStep>& bodies, double tolerance) {
+  constexpr double rounding = 4e-16;
+  double size = 0, noise = 0;
+  for (std::size_t i = 0; i < island.bodies.size(); ++i) {
+    const BodyStep& body = bodies[std::size_t(island.bodies[i])];
+    residual_[i] = body.rest;
+    if (!body.change.isZero(0)) residual_[i] -= body.mass * body.change;
+    size += reach * body.external.norm() + body.momentum.norm();
+  }
+  for (PatchStep& p : island.patches) {
+    if (p.sums.count == 0 && p.slider_count == 0) continue;
+    Vector3d dv, dw;
+    p.relative(bodies, dv, dw);
+    const double s = p.stiffness.slope;
+    const Matrix3d& aa = p.sums.arm_arm;
+    Vector3d force = p.sums.force - s * (p.sums.count * dv + dw.cross(p.sums.arm));
+    Vector3d torque = p.sums.torque - s * (p.sums.arm.cross(dv) + aa.trace() * dw - aa * dw);
+    size += reach * force.norm();
+    for (int i = p.first_slider; i < p.first_slider + p.slider_count; ++i) {
+      Slider& slider = island.sliders[std::size_t(i)];
+      evaluate(slider, dv + dw.cross(slider.arm), p.friction);
+      force += slider.f;
+      torque += slider.arm.cross(slider.f);
+      size += reach * slider.f.norm();
+    }
+    // What rounding of positions makes of forces.
+    const double extent = bodies[std::size_t(p.target)].center.norm() + p.offset.norm();
+    const double stiff = reach * p.stiffness.k * extent;
+    noise += (p.sums.count + p.slider_count) * stiff * stiff;
+    if (const int t = row(p.target); t >= 0) {
+      residual_[std::size_t(t)].head<3>() += reach * force;
+      residual_[std::size_t(t)].tail<3>() += reach * torque;
+    }
+    if (const int t = row(p.source); t >= 0) {
+      residual_[std::size_t(t)].head<3>() -= reach * force;
+      residual_[std::size_t(t)].tail<3>() -= reach * (torque + p.offset.cross(force));
+    }
+  }
+  double squared = 0;
+  for (std::size_t i = 0; i < residual_.size(); ++i) {
+    if (!bodies[std::size_t(island.bodies[i])].turns) residual_[i].tail<3>().setZero();
+    squared += residual_[i].squaredNorm();
+  }
+  // Angular rows are in N m s: an arm of a metre would make them comparable, objects are smaller, so this is the safe
+  // side.
+  return std::sqrt(squared) <= tolerance * size + rounding * std::sqrt(noise);
+}
+
+/// The system of a Newton step; true if it is symmetric.
+bool IslandSolver::add_slopes(const Island& island, double reach, const std::vector<BodyStep>& bodies) {
+  analyse(island);
+  const bool one = island.bodies.size() == 1;
+  if (one)
+    dense_ = bodies[std::size_t(island.bodies[0])].mass;
+  else
+    blocks_.clear();
+  for (std::size_t i = 0; !one && i < island.bodies.size(); ++i)
+    blocks_.block(int(i), int(i)) = bodies[std::size_t(island.bodies[i])].mass;
+  bool symmetric = true;
+  for (const PatchStep& p : island.patches) {
+    if (p.sums.count == 0 && p.slider_count == 0) continue;
+    Matrix6 S = Matrix6::Zero();
+    if (p.sums.count > 0) S = stick_slope(p);
+    for (int i = p.first_slider; i < p.first_slider + p.slider_count; ++i) {
+      const Slider& slider = island.sliders[std::size_t(i)];
+      if (slider.trial.N <= 0) continue;
+      symmetric = symmetric && !slider.sliding;
+      add_slope(slider.arm, slider.slope, S);
+    }
+    add_stiffness(p, reach, S);
+  }
+  return symmetric;
+}
+
+/// One Newton step.
+void IslandSolver::correct(const Island& island, std::vector<BodyStep>& bodies, bool symmetric, double share) {
+  if (island.bodies.size() > 1)
+    blocks_.solve(residual_);
+  else if (symmetric)
+    residual_[0] = solve_symmetric(dense_, residual_[0]);
+  else
+    residual_[0] = dense_.partialPivLu().solve(Vector6(residual_[0]));
+  for (std::size_t i = 0; i < residual_.size(); ++i) {
+    BodyStep& body = bodies[std::size_t(island.bodies[i])];
+    body.change += share * residual_[i];
+    if (!body.turns) body.change.tail<3>().setZero();
+  }
+}
+
+SolverReport IslandSolver::solve(Island& island, double reach, std::vector<BodyStep>& bodies, Contacts& contacts,
+                                 SampleSteps& samples, std::vector<Role>& role, const SolverOptions& options) {
+  begin(island);
+  collect(island, reach, contacts, samples, role);
+  const auto evaluate_linear = [&] {
+    bool again = false;
+    for (PatchStep& p : island.patches) {
+      if (p.sums.count == 0 && !p.watches) continue;
+      Vector3d dv, dw;
+      p.relative(bodies, dv, dw);
+      if (p.watches && step_in(p, reach, dv, dw, contacts, samples, role)) again = true;
+      if (p.sums.count == 0) continue;
+      p.stuck = evaluate_sticking(contacts.patches[std::size_t(p.patch)], p.stiffness, p.friction.mu_static, dv, dw,
+                                  samples, contacts.f_W);
+      if (!p.stuck.holds && let_go(p, contacts, samples, role)) again = true;
+    }
+    return again;
+  };
+  constexpr int patience = 12;
+  SolverReport report{0, false};
+  bool corrected = false;
+  for (; report.iterations <= options.max_iterations; ++report.iterations) {
+    // A linear system is solved by one step, to rounding.
+    bool solved = island.sliders.empty() && corrected && report.iterations <= patience;
+    solved = solved || is_balanced(island, reach, bodies, options.tolerance);
+    if (!solved) {
+      const double share = report.iterations < patience ? 1 : 0.5;  // a cycle of modes is broken by going half way
+      correct(island, bodies, add_slopes(island, reach, bodies), share);
+      corrected = true;
+      continue;
+    }
+    if (break_away(island)) {
+      for (const Slider& s : island.sliders) role[s.slot] = s.sliding ? Role::sliding : Role::free;
+      // What stuck has stopped the body; there the direction of sliding is lost.
+      for (const int body : island.bodies) bodies[std::size_t(body)].change.setZero();
+      continue;
+    }
+    report.converged = !evaluate_linear();
+    if (report.converged) break;
+    collect(island, reach, contacts, samples, role);
+    corrected = false;
+  }
+  if (!report.converged) evaluate_linear();
+  for (const int body : island.bodies) row_[std::size_t(body)] = -1;
+  return report;
 }
 
 }  // namespace handhold::realtime

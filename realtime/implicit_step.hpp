@@ -6,19 +6,48 @@
 #include <Eigen/Core>
 
 #include "cases/scene/friction.hpp"
+#include "realtime/block_system.hpp"
+#include "realtime/body_step.hpp"
 #include "realtime/element.hpp"
-#include "realtime/rigid_body.hpp"
+#include "realtime/patch_kernel.hpp"
 
 namespace handhold::realtime {
 
-/// One sample in the solve of one body: what it is given, and what comes out.
-struct StepSample {
+/// What the solve makes of a sample.
+enum class Role : std::uint8_t {
+  idle,     ///< out of reach
+  watch,    ///< apart, and to stay so unless the solution brings it in
+  linear,   ///< stuck before, and so far in this step
+  free,     ///< may stick, or let go: just came in, or was found to pull
+  sliding,  ///< slid before, or left its static cone: at most μ_d N
+};
+
+/// A sample whose force is not linear in the velocities: what it is given, and what comes out.
+struct Slider {
+  std::size_t slot{};
   ElementStep element{};
-  Eigen::Vector3d arm{Eigen::Vector3d::Zero()};      ///< C − centre of mass at the start of the step, in W [m]
-  bool sliding{false};                               ///< in: slid before; out: slides
+  Eigen::Vector3d arm{Eigen::Vector3d::Zero()};      ///< p − centre of mass of its body, in W [m]
+  bool sliding{false};                               ///< in: see Role; out: slides
   Trial trial{};                                     ///< out: at the solution
   Eigen::Vector3d f{Eigen::Vector3d::Zero()};        ///< out: force on the object [N]
   Eigen::Vector3d tangent{Eigen::Vector3d::Zero()};  ///< out: its tangential part [N]
+  Eigen::Matrix3d slope{Eigen::Matrix3d::Zero()};    ///< out: −df/dv [N s/m]
+};
+
+/// One patch in one step.
+struct PatchStep {
+  int patch{};               ///< in Contacts
+  int target{}, source{-1};  ///< bodies; source -1: a hand's
+  Stiffness stiffness{};
+  Friction friction{};
+  Eigen::Vector3d offset{Eigen::Vector3d::Zero()};  ///< from the source's centre of mass to the target's
+  StickSums sums{};
+  int first_slider{}, slider_count{};
+  StickResult stuck{};  ///< out: of the linear samples
+  bool watches{false};  ///< has samples on watch
+
+  /// Adds a change of the bodies' velocities up to that of p against the target: dv + dw × arm.
+  void relative(const std::vector<BodyStep>& bodies, Eigen::Vector3d& dv, Eigen::Vector3d& dw) const;
 };
 
 struct SolverOptions {
@@ -31,14 +60,44 @@ struct SolverReport {
   bool converged{true};
 };
 
-/// Solves M (u − u0) = h (F + Σ Gᵀ f(u)) for the velocity u at the end of the step: all elements of a body are coupled
-/// through its six velocities only, so one dense 6 × 6 system a Newton step is all there is.
+/// Bodies that are coupled through contacts with each other, with all their patches. Without such contacts, one body.
+struct Island {
+  std::vector<int> bodies{};  ///< those that move
+  std::vector<PatchStep> patches{};
+  std::vector<Slider> sliders{};
+};
+
+/// Solves the momentum balances (see BodyStep) of an island for the changes δ of its bodies' velocities.
 ///
-/// Semi-smooth Newton on touching (N >= 0) and sliding (|f_t| <= μ_d N); sticking samples whose t* leaves the static
-/// cone at a solution start to slide, never back within a step, so the loop ends. A body that does not move (`moves`
-/// false) gets u = 0.
-SolverReport solve_velocity(const RigidBody& body, const Vector6& external, double drag, double h,
-                            const Friction& friction, std::vector<StepSample>& samples, std::size_t count,
-                            const SolverOptions& options, Vector6& u);
+/// What sticks is a spring and a damper, linear in δ, and enters as one sum a patch. What slides, may let go or has
+/// just come in is iterated: semi-smooth Newton on touching (N >= 0) and sliding (|f_t| <= μ_d N). At a solution,
+/// sticking samples outside the static cone start to slide, never back within a step, so the loop ends. One body is a
+/// dense 6 x 6 system, several are a BlockSystem.
+class IslandSolver {
+ public:
+  /// Room for islands of `bodies` bodies in all.
+  void reserve(int bodies);
+
+  /// `role` by slot, in and out; forces of linear samples go to contacts.f_W, those of others to their sliders.
+  SolverReport solve(Island& island, double reach, std::vector<BodyStep>& bodies, Contacts& contacts,
+                     SampleSteps& samples, std::vector<Role>& role, const SolverOptions& options);
+
+ private:
+  void collect(Island& island, double reach, const Contacts& contacts, const SampleSteps& samples,
+               const std::vector<Role>& role) const;
+  void begin(const Island& island);
+  [[nodiscard]] bool is_balanced(Island& island, double reach, const std::vector<BodyStep>& bodies, double tolerance);
+  void analyse(const Island& island);
+  [[nodiscard]] bool add_slopes(const Island& island, double reach, const std::vector<BodyStep>& bodies);
+  void add_stiffness(const PatchStep& patch, double reach, const Matrix6& S);
+  void correct(const Island& island, std::vector<BodyStep>& bodies, bool symmetric, double share);
+  [[nodiscard]] int row(int body) const { return body < 0 ? -1 : row_[std::size_t(body)]; }
+
+  std::vector<int> row_{};  // of a body in the system, -1: it does not move
+  std::vector<Vector6> residual_{};
+  Matrix6 dense_{Matrix6::Zero()};
+  BlockSystem blocks_{};
+  bool analysed_{false};
+};
 
 }  // namespace handhold::realtime

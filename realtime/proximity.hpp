@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "cases/geometry/voxel_field.hpp"
 #include "cases/hand/patch.hpp"
 
@@ -9,22 +11,27 @@ namespace handhold::realtime {
 /// the phalanx could have moved far enough since the last time to change the verdict.
 class Proximity {
  public:
-  enum class Verdict {
-    same,
-    near,  ///< nearer than the offset: seed a patch at `place()`
-    far,   ///< farther than twice the offset: drop the patch
-  };
-
   explicit Proximity(const PhalanxShape& shape);
 
-  /// `active`: the phalanx has a patch, so only `far` matters; else only `near`.
-  [[nodiscard]] Verdict update(const VoxelField& field, const Pose& X_OP, bool active, double offset);
+  /// Where a phalanx that moves from X_OP to Y_OP, straight, first comes nearer than `offset`: the pose to seed a patch
+  /// at, whose nearest place is `place()`; nothing if it does not. Sub-divides the way by what the distance allows
+  /// (conservative advancement), so nothing is jumped over.
+  [[nodiscard]] std::optional<Pose> approach(const VoxelField& field, const Pose& X_OP, const Pose& Y_OP,
+                                             double offset);
 
-  [[nodiscard]] const Nearest& place() const { return place_; }  ///< of the last verdict `near`
+  /// Farther than `limit`.
+  [[nodiscard]] bool leaves(const VoxelField& field, const Pose& X_OP, double limit);
+
+  [[nodiscard]] const Nearest& place() const { return place_; }  ///< of the last pose asked for
+  [[nodiscard]] double reach() const { return reach_; }  ///< no point of the shape is farther from its centroid [m]
 
  private:
+  /// No point of the shape moves farther from pose to pose.
+  [[nodiscard]] double motion(const Pose& X, const Pose& Y) const;
+  double measure(const VoxelField& field, const Pose& X_OP);
+
   PhalanxShape shape_;
-  double reach_{};   // of the shape from its centroid
+  double reach_{};
   Pose X_OP_{};      // where it was asked for last
   Nearest place_{};  // and what the answer was
   bool known_{false};

@@ -15,8 +15,10 @@ struct RigidBody {
   double mass{};
   Eigen::Vector3d center_O{Eigen::Vector3d::Zero()};
   Eigen::Matrix3d inertia_O{Eigen::Matrix3d::Zero()};
+  Eigen::Matrix3d inverse_inertia_O{Eigen::Matrix3d::Zero()};
   Mobility mobility{Mobility::free};
   double held_until{};
+  double radius{};  ///< no point of the surface is farther from the centre of mass [m]
   Pose X_WO{};
   Eigen::Vector3d v{Eigen::Vector3d::Zero()};  ///< of the centre of mass, in W [m/s]
   Eigen::Vector3d w{Eigen::Vector3d::Zero()};  ///< in W [rad/s]
@@ -30,18 +32,13 @@ struct RigidBody {
   }
   [[nodiscard]] BodyState state() const { return {X_WO, {w, v + w.cross(X_WO.p - center())}}; }
   [[nodiscard]] bool moves() const { return mobility != Mobility::fixed; }
+  [[nodiscard]] bool turns() const { return mobility == Mobility::free; }
   [[nodiscard]] bool held(double t) const { return t <= held_until; }
 };
 
 [[nodiscard]] RigidBody make_rigid_body(const Body& body);
 
-/// Mass matrix about the centre of mass, in W.
-[[nodiscard]] Matrix6 mass_matrix(const RigidBody& body);
-
-/// Gravity (0 while a support carries the weight) and, explicitly, the gyroscopic torque −ω × I ω.
-[[nodiscard]] Vector6 external_force(const RigidBody& body, const Eigen::Vector3d& gravity);
-
-/// Moves the pose by the velocity (v, w) held for h: x += h v, R = exp(h ω) R (exact for constant spin).
-void move(RigidBody& body, const Vector6& velocity, double h);
+/// exp(angle) of a rotation vector.
+[[nodiscard]] Eigen::Quaterniond rotation_by(const Eigen::Vector3d& angle);
 
 }  // namespace handhold::realtime

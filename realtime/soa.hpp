@@ -7,7 +7,7 @@
 
 namespace handhold::realtime {
 
-/// Many 3-vectors, one array a component.
+/// Many 3-vectors, one array a component: loops over them read memory in order and fill vector registers.
 class Vector3Array {
  public:
   void resize(std::size_t size) {
@@ -21,6 +21,13 @@ class Vector3Array {
     y_[i] = v.y();
     z_[i] = v.z();
   }
+
+  [[nodiscard]] const double* x() const { return x_.data(); }
+  [[nodiscard]] const double* y() const { return y_.data(); }
+  [[nodiscard]] const double* z() const { return z_.data(); }
+  [[nodiscard]] double* x() { return x_.data(); }
+  [[nodiscard]] double* y() { return y_.data(); }
+  [[nodiscard]] double* z() { return z_.data(); }
 
  private:
   std::vector<double> x_{}, y_{}, z_{};

@@ -12,10 +12,31 @@ struct Anchor {
   Eigen::Vector3d n_O{Eigen::Vector3d::Zero()};
 };
 
-/// The surface point nearest to `p_O`: along the field's gradient from outside, exactly (triangles) from inside, where
-/// the nearest sheet is not the one that the gradient of a thin wall points to. False (and `anchor` untouched) when p
-/// is beyond the band.
+/// The field's interpolated distance at a point, and its gradient by central differences over one voxel: continuous,
+/// unlike that of the trilinear interpolant, whose jumps from cell to cell turn a normal by 10 degrees on a surface of
+/// a few voxels' radius.
+struct SmoothDistance {
+  double distance{};
+  Eigen::Vector3d gradient{Eigen::Vector3d::Zero()};
+};
+[[nodiscard]] SmoothDistance smooth_distance(const VoxelField& field, const Eigen::Vector3d& p_O);
+
+/// The surface point nearest to `p_O`: along the field's gradient from outside, exactly (triangles) from inside,
+/// however deep, where the nearest sheet is not the one that the gradient of a thin wall points to. False (and `anchor`
+/// untouched) when p is outside beyond the band.
 [[nodiscard]] bool foot(const VoxelField& field, const Eigen::Vector3d& p_O, Anchor& anchor);
+
+/// How the normal of a touched place is taken.
+enum class TouchNormal {
+  smooth,  ///< of the interpolated distance: a mesh's facets are not felt
+  face,    ///< of the triangle: edges stay sharp to the last bit
+};
+
+/// Where a point that moves straight from `from_O` to `to_O` touches: at the first crossing of the surface from outside
+/// (exact triangles), so that no wall is too thin; at the nearest surface point if it was inside already. False if it
+/// ends outside without having crossed.
+[[nodiscard]] bool find_touch(const VoxelField& field, const Eigen::Vector3d& from_O, const Eigen::Vector3d& to_O,
+                              TouchNormal normal, Anchor& anchor);
 
 /// Slides an anchor by the tangential `step_O` along the surface, voxel by voxel. It stops where the next voxel would
 /// leave the band, fall onto another sheet or turn the normal by more than 60 degrees: an occluding part blocks it

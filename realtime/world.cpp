@@ -2,21 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
+#include <tuple>
 
 #include "cases/error.hpp"
-#include "cases/hand/patch.hpp"
-#include "realtime/surface.hpp"
 
 namespace handhold::realtime {
 namespace {
 
-Eigen::Vector3d tangential(const Eigen::Vector3d& v, const Eigen::Vector3d& n) { return v - v.dot(n) * n; }
+constexpr std::size_t most_bodies = 255;  // SampleId has one byte, and 255 hands are a body's
 
-EventKind kind_of(Mode from, Mode to) {
-  if (from == Mode::apart) return EventKind::touch;
-  if (to == Mode::apart) return EventKind::release;
-  return to == Mode::slip ? EventKind::breakaway : EventKind::restick;
+void check_size(const Scene& scene) {
+  if (scene.bodies.empty())
+    throw InputError("scene '" + scene.name + "': must have a body (nothing can touch nothing)");
+  if (scene.bodies.size() > most_bodies || scene.hands.size() >= most_bodies)
+    throw InputError("scene '" + scene.name + "' has " + std::to_string(scene.bodies.size()) + " bodies and " +
+                     std::to_string(scene.hands.size()) + " hands: at most 255 and 254 (leave some out)");
 }
 
 }  // namespace
@@ -24,42 +26,83 @@ EventKind kind_of(Mode from, Mode to) {
 void validate(const Options& options) {
   if (options.substeps < 1 || options.substeps > 1000)
     throw InputError("substeps " + std::to_string(options.substeps) + ": must be 1 to 1000");
+  if (options.order != 1 && options.order != 2)
+    throw InputError("order " + std::to_string(options.order) + ": must be 1 or 2");
+  if (!(options.longest_bridge >= 0))
+    throw InputError("longest_bridge " + std::to_string(options.longest_bridge) + " s: must be >= 0");
 }
 
-World::World(const Scene& scene, const Options& options)
-    : scene_(scene), options_(options), contacts_(make_contacts(scene)) {
+World::World(const Scene& scene, const Options& options) : scene_(scene), options_(options) {
   validate(options);
-  if (scene.bodies.size() != 1)
-    throw InputError("scene '" + scene.name + "' has " + std::to_string(scene.bodies.size()) +
-                     " bodies: the real-time path simulates exactly one (leave the others out)");
-  body_ = make_rigid_body(scene.bodies.front());
-  const std::size_t slots = contacts_.size();
-  paths_.resize(scene.hands.size());
-  now_.resize(scene.hands.size());
-  next_.resize(scene.hands.size());
-  for (const PatchSlot& patch : contacts_.patches)
-    proximity_.emplace_back(scene.hands[patch.hand].motion->model().shape(patch.phalanx));
-  samples_.resize(slots);
-  slots_.reserve(slots);
-  patch_of_slot_.resize(slots);
-  for (std::size_t p = 0; p < contacts_.patches.size(); ++p)
-    for (int i = 0; i < contacts_.patches[p].count; ++i) patch_of_slot_[contacts_.patches[p].slot(i)] = int(p);
-  events_.reserve(slots * std::size_t(options.substeps));
-  start_height_ = -scene.gravity.dot(body_.center());
+  check_size(scene);
+  contacts_ = make_contacts(scene);
+  for (const Body& body : scene.bodies) bodies_.push_back(make_rigid_body(body));
+  rank_bodies();
+  const std::size_t bodies = bodies_.size(), hands = scene.hands.size();
+  paths_.assign(hands, HandPath(options.longest_bridge));
+  now_.resize(hands);
+  next_.resize(hands);
+  patches_from_.assign(hands * phalanx_count, -1);
+  for (std::size_t i = contacts_.hand_patches; i > 0; --i) {
+    const PatchSlot& patch = contacts_.patches[i - 1];
+    patches_from_[std::size_t(patch.hand * phalanx_count + patch.phalanx)] = int(i - 1);
+  }
+  for (std::size_t i = 0; i < contacts_.hand_patches; ++i) {
+    const PatchSlot& patch = contacts_.patches[i];
+    proximity_.emplace_back(scene.hands[std::size_t(patch.hand)].motion->model().shape(patch.phalanx));
+    if (patch.active) active_patches_.push_back(int(i));
+  }
+  broad_phase_.resize(bodies + hands * phalanx_count);
+  pairs_.resize(bodies);
+  pairs_.add_free(contacts_, contacts_.hand_patches);
+  for (const Body& body : scene.bodies) outward_.push_back(outward_of(body));
+  body_candidates_.reserve(bodies * (bodies - 1) / 2);
+  candidates_.reserve(contacts_.hand_patches);
+  steps_.resize(bodies);
+  turned_.assign(bodies, 0);
+  moved_.assign(bodies, Eigen::Vector3d::Zero());
+  changed_.assign(bodies, Eigen::Vector3d::Zero());
+  parent_.resize(bodies);
+  members_.reserve(bodies);
+  island_.bodies.reserve(bodies);
+  solver_.reserve(int(bodies));
+  resize_for_slots();
+  for (const RigidBody& body : bodies_)
+    start_height_ -= body.moves() ? body.mass * scene.gravity.dot(body.center()) : 0;
 }
 
-const VoxelField& World::field() const { return *scene_.bodies.front().field; }
+/// Sums over bodies run from low to high, whatever the order of the scene; equal bodies at equal places are all one.
+void World::rank_bodies() {
+  by_rank_.resize(bodies_.size());
+  std::iota(by_rank_.begin(), by_rank_.end(), 0);
+  const auto key = [&](int i) {
+    const RigidBody& body = bodies_[std::size_t(i)];
+    const Eigen::Vector3d c = body.center();
+    return std::make_tuple(-scene_.gravity.dot(c), c.x(), c.y(), c.z(), body.mass);
+  };
+  std::stable_sort(by_rank_.begin(), by_rank_.end(), [&](int i, int j) { return key(i) < key(j); });
+  rank_.resize(bodies_.size());
+  for (std::size_t r = 0; r < by_rank_.size(); ++r) rank_[std::size_t(by_rank_[r])] = int(r);
+}
 
-/// Puts a sample's anchor at the foot of `from_O`; false, and the sample is far, if there is none.
-bool World::place_anchor(std::size_t slot, const Eigen::Vector3d& p_O, const Eigen::Vector3d& from_O) {
-  Anchor anchor;
-  contacts_.near[slot] = foot(field(), from_O, anchor);
-  if (!contacts_.near[slot]) return false;
-  contacts_.C_O.set(slot, anchor.C_O);
-  contacts_.n_O.set(slot, anchor.n_O);
-  contacts_.depth[slot] = -(p_O - anchor.C_O).dot(anchor.n_O);
-  contacts_.lag_O.set(slot, tangential(p_O - anchor.C_O, anchor.n_O));
-  return true;
+/// Room for all that there is one of by slot or by patch.
+void World::resize_for_slots() {
+  const std::size_t slots = contacts_.size(), patches = contacts_.patches.size();
+  samples_.resize(slots);
+  role_.resize(slots, Role::idle);
+  near_.resize(slots);
+  watched_.resize(patches);
+  patch_of_slot_.assign(slots, -1);
+  for (std::size_t i = 0; i < patches; ++i) {
+    const PatchSlot& patch = contacts_.patches[i];
+    const int end = i + 1 < patches ? contacts_.patches[i + 1].first : int(slots);
+    for (int slot = patch.first; slot < end; ++slot) patch_of_slot_[std::size_t(slot)] = int(i);
+  }
+  active_patches_.reserve(2 * patches);
+  active_.reserve(patches);
+  island_.patches.reserve(patches);
+  island_.sliders.reserve(slots);
+  events_.reserve(slots * std::size_t(std::min(options_.substeps, 4)));
 }
 
 void World::observe(double dt, const std::vector<HandFrame>& hands) {
@@ -70,25 +113,30 @@ void World::start(double dt, const std::vector<HandFrame>& hands) {
   observe(dt, hands);
   place_hands(1);
   now_ = next_;
-  for (const PatchSlot& patch : contacts_.patches) {
-    if (!patch.given) continue;
-    const HandFrame& hand = now_[patch.hand];
-    if (!hand.present) continue;
-    const Hand& source = scene_.hands[patch.hand];
-    const auto given = std::find_if(source.given.begin(), source.given.end(),
-                                    [&](const GivenPatch& g) { return g.phalanx == patch.phalanx; });
-    for (int i = 0; i < patch.count; ++i) {
-      const std::size_t slot = patch.slot(i);
-      const SampleStart begin = given->start.empty() ? SampleStart{} : given->start[i];
-      const Eigen::Vector3d p_O = body_.X_WO.inverse() * (hand.X_WP[patch.phalanx] * contacts_.p_P[slot]);
-      const bool near = place_anchor(slot, p_O, p_O - body_.X_WO.R.conjugate() * begin.lag_W);
-      if (near && contacts_.depth[slot] > 0)
-        contacts_.mode[slot] = begin.slipping ? Mode::slip : Mode::stick;
-      else
-        place_anchor(slot, p_O, p_O);  // outside: nothing to lag behind
-    }
-  }
+  for (std::size_t i = 0; i < bodies_.size(); ++i) steps_[i] = predicted(int(i), {});
+  for (const int i : active_patches_)
+    if (next_[std::size_t(patch(i).hand)].present) start_given(patch(i));
   detect(0);
+  find_islands();
+}
+
+/// Samples that are inside at t = 0 are in contact from the start.
+void World::start_given(const PatchSlot& patch) {
+  const Hand& hand = scene_.hands[std::size_t(patch.hand)];
+  const auto given = std::find_if(hand.given.begin(), hand.given.end(),
+                                  [&](const GivenPatch& g) { return g.phalanx == patch.phalanx; });
+  const Pose X_OW = bodies_[std::size_t(patch.body)].X_WO.inverse();
+  for (int i = 0; i < patch.count; ++i) {
+    const std::size_t slot = patch.slot(i);
+    const SampleStart begin = given->start.empty() ? SampleStart{} : given->start[std::size_t(i)];
+    const Eigen::Vector3d p_O = X_OW * point_at_start(patch, slot);
+    Anchor anchor;
+    const bool near = foot(*source(patch.body).field, p_O - X_OW.R * begin.lag_W, anchor);
+    if (!near || (p_O - anchor.C_O).dot(anchor.n_O) >= 0) continue;  // outside: nothing to lag behind
+    contacts_.C_O.set(slot, anchor.C_O);
+    contacts_.n_O.set(slot, anchor.n_O);
+    contacts_.mode[slot] = begin.slipping ? Mode::slip : Mode::stick;
+  }
 }
 
 void World::advance(double dt, const std::vector<HandFrame>& hands) {
@@ -98,6 +146,7 @@ void World::advance(double dt, const std::vector<HandFrame>& hands) {
   const double begin = t_;
   for (int i = 1; i <= options_.substeps; ++i) {
     std::swap(now_, next_);
+    first_substep_ = i == 1;
     place_hands(double(i) / options_.substeps);
     substep(h);
     t_ = begin + dt * i / options_.substeps;
@@ -108,205 +157,52 @@ void World::place_hands(double fraction) {
   for (std::size_t hand = 0; hand < paths_.size(); ++hand) {
     next_[hand].present = paths_[hand].present();
     if (!next_[hand].present) continue;
-    for (int i = 0; i < phalanx_count; ++i) next_[hand].X_WP[i] = paths_[hand].pose(i, fraction);
+    for (int i = 0; i < phalanx_count; ++i) next_[hand].X_WP[std::size_t(i)] = paths_[hand].pose(i, fraction);
     if (!now_[hand].present) now_[hand] = next_[hand];
   }
 }
 
+/// Where a phalanx came from in this sub-step: of a hand that is back after a short gap, from before the gap.
+const Pose& World::start_pose(const PatchSlot& patch) const {
+  const HandPath& path = paths_[std::size_t(patch.hand)];
+  if (first_substep_ && path.is_back()) return path.last_seen(patch.phalanx);
+  return now_[std::size_t(patch.hand)].X_WP[std::size_t(patch.phalanx)];
+}
+
+BodyStep World::predicted(int body, const Scheme& scheme) const {
+  const RigidBody& rigid = bodies_[std::size_t(body)];
+  const auto& load = source(body).load;
+  return predict(rigid, scheme, scene_.gravity, load && rigid.moves() ? load(t_ + scheme.reach()) : Load{},
+                 rigid.held(t_ + scheme.h));
+}
+
 void World::substep(double h) {
-  const bool held = body_.held(t_ + h);
-  const Eigen::Vector3d gravity = held ? Eigen::Vector3d::Zero() : scene_.gravity;
-  const double drag = held ? 1 / support_time : 0;
-  gather(h, gravity);
-  const SolverReport report =
-      solve_velocity(body_, external_force(body_, gravity), drag, h, scene_.bodies.front().friction, samples_,
-                     slots_.size(), options_.solver, velocity_);
-  if (!report.converged) ++unconverged_;
-  if (body_.moves()) move(body_, velocity_, h);
-  if (!body_.X_WO.p.allFinite()) return;  // diverged: the pose says so, and no query of the surface has an answer
-  scatter(h);
-  if (held && body_.moves()) {  // the oil takes, the carrier of the weight gives
-    dissipated_ += h * drag * velocity_.dot(mass_matrix(body_) * velocity_);
-    hand_work_ -= h * body_.mass * scene_.gravity.dot(body_.v);
-  }
+  for (std::size_t i = 0; i < bodies_.size(); ++i) steps_[i] = predicted(int(i), {.h = h});
+  release_lost_hands(h);
   detect(h);
-}
-
-/// Packs every sample in contact, and those that would be inside at the end of the step if nothing held the body back:
-/// k d + c d' > 0 alone would let a damper push before the surface is reached.
-void World::gather(double h, const Eigen::Vector3d& gravity) {
-  slots_.clear();
-  const Eigen::Vector3d center = body_.center();
-  const Eigen::Vector3d v_free = body_.moves() ? Eigen::Vector3d(body_.v + h * gravity) : Eigen::Vector3d::Zero();
-  const Eigen::Vector3d w_free = body_.moves() ? body_.w : Eigen::Vector3d::Zero();
-  for (const PatchSlot& patch : contacts_.patches) {
-    if (!patch.active || !next_[patch.hand].present) continue;
-    const Pose& X_WP0 = now_[patch.hand].X_WP[patch.phalanx];
-    const Pose& X_WP1 = next_[patch.hand].X_WP[patch.phalanx];
-    for (int i = 0; i < patch.count; ++i) {
-      const std::size_t slot = patch.slot(i);
-      if (contacts_.mode[slot] == Mode::apart && !contacts_.near[slot]) continue;
-      const Eigen::Vector3d p0 = X_WP0 * contacts_.p_P[slot];
-      const Eigen::Vector3d p1 = X_WP1 * contacts_.p_P[slot];
-      const Eigen::Vector3d C = body_.X_WO * contacts_.C_O[slot];
-      const Eigen::Vector3d n = body_.X_WO.R * contacts_.n_O[slot];
-      const Eigen::Vector3d C_free = C + h * (v_free + w_free.cross(C - center));
-      if (contacts_.mode[slot] == Mode::apart && (p1 - C_free).dot(n) >= 0) continue;
-      StepSample& s = samples_[slots_.size()];
-      s.element = {scene_.contact.stiffness, scene_.contact.damping, h, n, p1 - C, (p1 - p0) / h};
-      s.arm = C - center;
-      s.sliding = contacts_.mode[slot] == Mode::slip;
-      slots_.push_back(slot);
+  find_islands();
+  std::size_t member = 0, patch = 0;
+  while (member < members_.size()) {
+    const int island = members_[member].first;
+    island_.bodies.clear();
+    island_.patches.clear();
+    for (; member < members_.size() && members_[member].first == island; ++member) {
+      const int body = by_rank_[std::size_t(members_[member].second)];
+      if (bodies_[std::size_t(body)].moves()) island_.bodies.push_back(body);
     }
+    for (; patch < active_.size() && active_[patch].island == island; ++patch)
+      island_.patches.push_back({.patch = active_[patch].patch});
+    step_island(h);
   }
 }
 
-/// Writes forces, modes and anchors back, and keeps the energy book.
-void World::scatter(double h) {
-  for (std::size_t i = 0; i < slots_.size(); ++i) update_anchor(slots_[i], samples_[i], h);
-  // Samples that are apart, or whose hand left.
-  for (const PatchSlot& patch : contacts_.patches) {
-    if (!patch.active) continue;
-    const bool gone = !next_[patch.hand].present;
-    for (int i = 0; i < patch.count; ++i) {
-      const std::size_t slot = patch.slot(i);
-      if (gone) {
-        if (contacts_.mode[slot] != Mode::apart) dissipated_ += stored(slot);
-        set_mode(slot, Mode::apart, h);
-        contacts_.near[slot] = false;
-      } else if (contacts_.mode[slot] == Mode::apart) {
-        const Eigen::Vector3d p_O =
-            body_.X_WO.inverse() * (next_[patch.hand].X_WP[patch.phalanx] * contacts_.p_P[slot]);
-        place_anchor(slot, p_O, p_O);
-      }
-    }
+void World::release_lost_hands(double h) {
+  for (const int i : active_patches_) {
+    PatchSlot& lost = patch(i);
+    if (lost.of_body() || next_[std::size_t(lost.hand)].present) continue;
+    for (int k = 0; k < lost.count; ++k) let_go(lost.slot(k), h);
+    if (!lost.given) drop(lost);
   }
-}
-
-void World::update_anchor(std::size_t slot, const StepSample& s, double h) {
-  contacts_.f_W.set(slot, s.f);
-  const PatchSlot& patch = contacts_.patches[patch_of_slot_[slot]];
-  if (s.trial.N <= 0) {
-    if (contacts_.mode[slot] != Mode::apart) dissipated_ += stored(slot);  // a spring that lets go keeps nothing
-    return set_mode(slot, Mode::apart, h);
-  }
-  const double mu_d = scene_.bodies.front().friction.mu_dynamic;
-  const bool slides = s.sliding && s.trial.t_norm > mu_d * s.trial.N;
-  const Eigen::Quaterniond R_OW = body_.X_WO.R.conjugate();
-  Anchor anchor{contacts_.C_O[slot], contacts_.n_O[slot]};
-  const Eigen::Vector3d before = s.trial.lag - h * s.trial.v_t;  // in W: the damper sees the lag's rate in W
-  Eigen::Vector3d step = Eigen::Vector3d::Zero();                // of the anchor, as far as the surface let it
-  Eigen::Vector3d stretch = s.trial.v_t;                         // rate of the lag
-  if (slides) {
-    const Eigen::Vector3d lag = lag_after_sliding(s.element, s.tangent, before);
-    slide(field(), R_OW * (s.trial.lag - lag), anchor);
-    stretch = (lag - before) / h;
-    step = body_.X_WO.R * (anchor.C_O - contacts_.C_O[slot]);
-    contacts_.C_O.set(slot, anchor.C_O);
-    contacts_.n_O.set(slot, anchor.n_O);
-  }
-  const Eigen::Vector3d p_O = body_.X_WO.inverse() * (next_[patch.hand].X_WP[patch.phalanx] * contacts_.p_P[slot]);
-  contacts_.depth[slot] = -(p_O - anchor.C_O).dot(anchor.n_O);
-  contacts_.lag_O.set(slot, tangential(p_O - anchor.C_O, anchor.n_O));
-
-  const Eigen::Vector3d v_C = velocity_.head<3>() + velocity_.tail<3>().cross(s.arm);
-  const Eigen::Vector3d v = s.element.v_p - v_C;
-  const double closing = -v.dot(s.element.n);
-  hand_work_ += h * s.f.dot(s.element.v_p);
-  dissipated_ += s.tangent.dot(step) + h * s.element.damping * (closing * closing + stretch.squaredNorm());
-  set_mode(slot, slides ? Mode::slip : Mode::stick, h);
-}
-
-void World::set_mode(std::size_t slot, Mode mode, double h) {
-  const Mode from = contacts_.mode[slot];
-  if (mode == Mode::apart) contacts_.f_W.set(slot, Eigen::Vector3d::Zero());
-  if (from == mode) return;
-  contacts_.mode[slot] = mode;
-  events_.push_back({t_ + h, h, kind_of(from, mode), contacts_.id[slot], body_.state()});
-}
-
-/// Seeds patches of phalanges that come near, drops those that went away.
-void World::detect(double h) {
-  const Pose X_OW = body_.X_WO.inverse();
-  for (std::size_t i = 0; i < contacts_.patches.size(); ++i) {
-    PatchSlot& patch = contacts_.patches[i];
-    if (patch.given) continue;
-    const HandFrame& hand = next_[patch.hand];
-    if (!hand.present) {
-      if (patch.active) drop(patch);
-      continue;
-    }
-    if (patch.active) {  // a patch with any sample in contact stays
-      const auto first = contacts_.mode.begin() + patch.first;
-      if (std::any_of(first, first + patch.count, [](Mode m) { return m != Mode::apart; })) continue;
-    }
-    const Pose X_OP = X_OW * hand.X_WP[patch.phalanx];
-    // What may come nearer during the next step is seeded now.
-    const double step = h > 0 ? (hand.X_WP[patch.phalanx].p - now_[patch.hand].X_WP[patch.phalanx].p).norm() : 0;
-    const double offset = scene_.patch.contact_offset + step + h * body_.v.norm();
-    switch (proximity_[i].update(field(), X_OP, patch.active, offset)) {
-      case Proximity::Verdict::near:
-        seed(patch, X_OP, proximity_[i].place());
-        break;
-      case Proximity::Verdict::far:
-        drop(patch);
-        break;
-      case Proximity::Verdict::same:
-        break;
-    }
-  }
-}
-
-void World::seed(PatchSlot& patch, const Pose& X_OP, const Nearest& place) {
-  const Patch points = seed_patch(patch.phalanx, X_OP, place, scene_.patch);
-  patch.active = true;
-  for (int i = 0; i < patch.count; ++i) {
-    const std::size_t slot = patch.slot(i);
-    contacts_.p_P.set(slot, points.p_P[i]);
-    contacts_.mode[slot] = Mode::apart;
-    const Eigen::Vector3d p_O = X_OP * points.p_P[i];
-    place_anchor(slot, p_O, p_O);
-    contacts_.f_W.set(slot, Eigen::Vector3d::Zero());
-  }
-}
-
-void World::drop(PatchSlot& patch) {
-  patch.active = false;
-  for (int i = 0; i < patch.count; ++i) {
-    contacts_.mode[patch.slot(i)] = Mode::apart;
-    contacts_.near[patch.slot(i)] = false;
-  }
-}
-
-ContactState World::contact(std::size_t slot) const {
-  const PatchSlot& patch = contacts_.patches[patch_of_slot_[slot]];
-  ContactState state;
-  state.id = contacts_.id[slot];
-  state.mode = contacts_.mode[slot];
-  state.depth = contacts_.depth[slot];
-  state.p_W = next_[patch.hand].X_WP[patch.phalanx] * contacts_.p_P[slot];
-  state.C_W = body_.X_WO * contacts_.C_O[slot];
-  state.n_W = body_.X_WO.R * contacts_.n_O[slot];
-  state.f_W = contacts_.f_W[slot];
-  return state;
-}
-
-/// Energy in the springs of a sample in contact.
-double World::stored(std::size_t slot) const {
-  const double depth = contacts_.depth[slot];
-  return 0.5 * scene_.contact.stiffness * (depth * depth + contacts_.lag_O[slot].squaredNorm());
-}
-
-Energy World::energy() const {
-  Energy e;
-  e.kinetic = 0.5 * body_.mass * body_.v.squaredNorm() + 0.5 * body_.w.dot(body_.inertia() * body_.w);
-  e.potential = body_.mass * (-scene_.gravity.dot(body_.center()) - start_height_);
-  for (std::size_t i = 0; i < contacts_.size(); ++i) {
-    if (contacts_.mode[i] != Mode::apart) e.elastic += stored(i);
-  }
-  e.dissipated = dissipated_;
-  e.hand_work = hand_work_;
-  return e;
 }
 
 }  // namespace handhold::realtime

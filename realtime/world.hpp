@@ -1,33 +1,44 @@
 #pragma once
 
-#include <array>
+#include <cstdint>
 #include <vector>
 
 #include "cases/recording.hpp"
 #include "cases/scene/scene.hpp"
+#include "realtime/body_pairs.hpp"
+#include "realtime/broad_phase.hpp"
 #include "realtime/contacts.hpp"
 #include "realtime/hand_path.hpp"
 #include "realtime/implicit_step.hpp"
 #include "realtime/proximity.hpp"
 #include "realtime/rigid_body.hpp"
+#include "realtime/surface.hpp"
 
 namespace handhold::realtime {
 
 struct Options {
   int substeps{4};  ///< a frame, 1 to 1000
+  /// 1: implicit Euler. 2: implicit midpoint, but implicit Euler for bodies in a step in which one of their contacts
+  /// changes its mode: there is no second order across a jump, and an impact must not ring.
+  int order{1};
+  double longest_bridge{0.1};  ///< a hand that is back after no longer than this came straight [s], >= 0
   SolverOptions solver{};
 };
 
 /// Throws InputError for values out of range.
 void validate(const Options& options);
 
-/// The real-time path: contact detection, patches, the implicit element, one body (Höll et al. 2018, sections 3.2
-/// to 3.5, with the convergent element of docs/contact-law.md). Deterministic; nothing is allocated after `start`.
+/// Outward direction at each of a body's samples, in O.
+[[nodiscard]] std::vector<Eigen::Vector3d> outward_of(const Body& body);
+
+/// The real-time path: contact detection, patches, the implicit element, rigid bodies that touch hands and each other
+/// (Höll et al. 2018, sections 3.2 to 3.5, with the convergent element of docs/contact-law.md).
 ///
-/// Between two frames the hands move along HandPath.
+/// Deterministic: the same bits for every order of bodies in the scene and of phalanges. Nothing is allocated after
+/// `start`, unless a body has more than 16 neighbours at one time. Between two frames the hands move along HandPath.
 class World {
  public:
-  /// Throws InputError for a scene it cannot express (this version: exactly one body).
+  /// Throws InputError for a scene without bodies, or with more bodies or hands than a SampleId can name.
   World(const Scene& scene, const Options& options);
 
   /// Tells where the hands were at frames before t = 0, oldest first; two of them give the first frame its velocities.
@@ -40,41 +51,108 @@ class World {
   void advance(double dt, const std::vector<HandFrame>& hands);
 
   [[nodiscard]] double time() const { return t_; }
-  [[nodiscard]] const RigidBody& body() const { return body_; }
+  [[nodiscard]] const RigidBody& body() const { return bodies_.front(); }
+  /// In the order of the scene.
+  [[nodiscard]] const std::vector<RigidBody>& bodies() const { return bodies_; }
   [[nodiscard]] const Contacts& contacts() const { return contacts_; }
+  /// The sample of a slot now: an apart one has its anchor below it, if the surface is near.
   [[nodiscard]] ContactState contact(std::size_t slot) const;
   /// Changes of mode since the last `advance` began; times are the ends of sub-steps.
   [[nodiscard]] const std::vector<Event>& events() const { return events_; }
   [[nodiscard]] Energy energy() const;
-  /// Sub-steps whose solve did not reach its tolerance, ever.
+  /// Solves that did not reach their tolerance, ever.
   [[nodiscard]] long unconverged() const { return unconverged_; }
 
  private:
+  /// A patch that takes part in a step, and where in the order of sums it stands.
+  struct Active {
+    int island{};
+    std::uint32_t key{};
+    int patch{};
+  };
+
+  // world.cpp
+  void rank_bodies();
+  void resize_for_slots();
+  void start_given(const PatchSlot& patch);
   void place_hands(double fraction);
   void substep(double h);
+  void release_lost_hands(double h);
+  [[nodiscard]] BodyStep predicted(int body, const Scheme& scheme) const;
+  [[nodiscard]] const Pose& start_pose(const PatchSlot& patch) const;
+  [[nodiscard]] const Body& source(int body) const { return scene_.bodies[std::size_t(body)]; }
+  [[nodiscard]] PatchSlot& patch(int i) { return contacts_.patches[std::size_t(i)]; }
+
+  // detection.cpp
   void detect(double h);
+  void sweep(double h);
+  [[nodiscard]] bool is_far(const PatchSlot& patch, double reach, double h) const;
+  void watch_hand(int patch, double h);
   void seed(PatchSlot& patch, const Pose& X_OP, const Nearest& nearest);
   void drop(PatchSlot& patch);
-  void gather(double h, const Eigen::Vector3d& gravity);
-  void scatter(double h);
-  [[nodiscard]] const VoxelField& field() const;
-  bool place_anchor(std::size_t slot, const Eigen::Vector3d& p_O, const Eigen::Vector3d& from_O);
-  void update_anchor(std::size_t slot, const StepSample& sample, double h);
-  [[nodiscard]] double stored(std::size_t slot) const;
+  void watch_pair(int a, int b, double h);
+  void watch_samples(int target, int from, double coming, double& clearance);
+  int take_pair(int target, int from);
+  void find_islands();
+  int root(int body);
+
+  // island_step.cpp
+  void step_island(double h);
+  void prepare(const Scheme& scheme);
+  void prepare_patch(PatchStep& p, const Scheme& scheme);
+  [[nodiscard]] PatchMotion motion(const PatchStep& p, const Scheme& scheme) const;
+  [[nodiscard]] Role role_of(const PatchStep& p, std::size_t slot, const Scheme& scheme);
+  [[nodiscard]] Eigen::Vector3d free_end(const PatchStep& p, std::size_t slot, const Scheme& scheme) const;
+  [[nodiscard]] Role role_of_finger(const PatchStep& p, std::size_t slot, const Scheme& scheme, Anchor& anchor) const;
+  [[nodiscard]] Role role_of_corner(const PatchStep& p, std::size_t slot, const Scheme& scheme, Anchor& anchor) const;
+  [[nodiscard]] bool changes_mode() const;
+  void finish(const Scheme& scheme);
+  void finish_slider(const PatchStep& p, const Slider& s, const Scheme& scheme);
+
+  // bookkeeping.cpp
   void set_mode(std::size_t slot, Mode mode, double h);
+  void let_go(std::size_t slot, double h);
+  [[nodiscard]] Eigen::Vector3d point_at_start(const PatchSlot& patch, std::size_t slot) const;
+  [[nodiscard]] double stored(std::size_t slot, const Eigen::Vector3d& p_O) const;
+  void book_body(int body, const Scheme& scheme);
+  void book_sticking(const PatchStep& p, const Scheme& scheme);
 
   const Scene scene_;
   const Options options_;
-  RigidBody body_;
+  std::vector<RigidBody> bodies_;
+  std::vector<int> rank_, by_rank_;  // of a body in all sums, and the other way round
   Contacts contacts_;
-  std::vector<HandPath> paths_;
-  std::vector<Proximity> proximity_;   // of every patch slot
-  std::vector<HandFrame> now_, next_;  // start and end of the sub-step
-  std::vector<StepSample> samples_;    // of this sub-step, packed
-  std::vector<std::size_t> slots_;     // where each of them came from
+  SampleSteps samples_;
+  std::vector<Role> role_;  // by slot
   std::vector<int> patch_of_slot_;
+  std::vector<std::uint8_t> watched_;  // by patch of a pair of bodies: apart samples may touch in this step
+  std::vector<std::uint8_t> near_;     // by slot of those: which
+  std::vector<std::vector<Eigen::Vector3d>> outward_;  // of a body at each of its samples, in O
+
+  std::vector<HandPath> paths_;
+  std::vector<HandFrame> now_, next_;  // start and end of the sub-step
+  bool first_substep_{false};
+  std::vector<Proximity> proximity_;  // of every patch of a hand
+  std::vector<int> patches_from_;     // by (hand, phalanx): first of its patches, one a body; -1: none
+
+  BroadPhase broad_phase_;
+  BodyPairs pairs_;
+  std::vector<int> candidates_;                 // patches of hands that may come near
+  std::vector<std::uint32_t> body_candidates_;  // pairs of bodies, as rank · bodies + rank
+  std::vector<int> active_patches_;
+  std::uint32_t step_{};
+
+  std::vector<BodyStep> steps_;
+  std::vector<double> turned_;            // by body: angle of the last step
+  std::vector<Eigen::Vector3d> changed_;  // ... and change of velocity
+  std::vector<Eigen::Vector3d> moved_;    // ... and way of the centre
+  std::vector<int> parent_;               // of a body in its island
+  std::vector<Active> active_;
+  std::vector<std::pair<int, int>> members_;  // (island, rank), of every body
+  Island island_;
+  IslandSolver solver_;
+
   std::vector<Event> events_;
-  Vector6 velocity_{Vector6::Zero()};
   double t_{};
   double hand_work_{}, dissipated_{}, start_height_{};
   long unconverged_{};

@@ -1,7 +1,7 @@
 #include "reference/contacts.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -9,31 +9,58 @@
 #include "cases/hand/hand_model.hpp"
 
 namespace handhold::reference {
+namespace {
 
 using Eigen::Vector3d;
 
-Contacts::Contacts(const Scene& scene, double accuracy)
+/// Bodies of one shape share a surface.
+std::vector<std::shared_ptr<const Surface>> make_surfaces(const Scene& scene, SurfaceModel model) {
+  std::map<const VoxelField*, std::shared_ptr<const Surface>> made;
+  std::vector<std::shared_ptr<const Surface>> surfaces;
+  for (const Body& body : scene.bodies) {
+    std::shared_ptr<const Surface>& surface = made[body.field.get()];
+    if (!surface) surface = make_surface(body.field, model);
+    surfaces.push_back(surface);
+  }
+  return surfaces;
+}
+
+}  // namespace
+
+Contacts::Contacts(const Scene& scene, double accuracy, SurfaceModel model)
     : scene_(scene),
-      body_(scene.bodies.front()),
-      element_{scene.contact.stiffness, scene.contact.damping, body_.friction,
-               std::max(10 * touch_depth, 100 * accuracy)},
       layout_(make_layout(scene)),
-      surface_(body_.field),
+      surfaces_(make_surfaces(scene, model)),
       seed_distance_(scene.patch.contact_offset),
-      // Beyond the band distances are clamped: a patch is dropped there at the latest.
-      drop_distance_(std::min(2 * seed_distance_, 0.99 * surface_.band())),
-      motion_(layout_.pads.size()),
+      phalanges_(scene.hands.size() * std::size_t(phalanx_count)),
       memory_(layout_.id.size()),
       near_(layout_.pads.size()) {
-  if (seed_distance_ > 0.9 * surface_.band())
-    throw InputError(
-        fmt::format("contact_offset={} m: must be at most 0.9 of the voxel band, {} m (voxelize with a wider band)",
-                    seed_distance_, surface_.band()));
+  const double shallow = std::max(10 * touch_depth, 100 * accuracy);
+  for (const Pad& pad : layout_.pads) {
+    const Friction& touched = scene.bodies[std::size_t(pad.body)].friction;
+    const ContactParameters& law = pad.of_body() ? scene.body_contact : scene.contact;
+    const Friction friction =
+        pad.of_body() ? combined(scene.bodies[std::size_t(pad.carrier)].friction, touched) : touched;
+    elements_.push_back({law.stiffness, law.damping, friction, shallow});
+  }
+  for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+    const double band = surfaces_[i]->band();
+    // Beyond the band distances are clamped: a patch is dropped there at the latest.
+    drop_distance_.push_back(std::min(2 * seed_distance_, 0.99 * band));
+    if (!scene.hands.empty() && seed_distance_ > 0.9 * band)
+      throw InputError(fmt::format(
+          "contact_offset={} m: must be at most 0.9 of the voxel band of body '{}', {} m (voxelize with a wider band)",
+          seed_distance_, scene.bodies[i].name, band));
+  }
 }
 
 std::string Contacts::describe(int slot) const {
   const SampleId& id = layout_.id[std::size_t(slot)];
-  return fmt::format("hand {} {} sample {}", int(id.hand), phalanx_name(id.phalanx), int(id.sample));
+  const std::string& touched = scene_.bodies[id.body].name;
+  if (id.belongs_to_body())
+    return fmt::format("body '{}' sample {} on body '{}'", scene_.bodies[id.phalanx].name, int(id.sample), touched);
+  return fmt::format("hand {} {} sample {} on body '{}'", int(id.hand), phalanx_name(id.phalanx), int(id.sample),
+                     touched);
 }
 
 bool Contacts::present_after(int hand, double t) const {
@@ -41,130 +68,118 @@ bool Contacts::present_after(int hand, double t) const {
   return std::any_of(presence.begin(), presence.end(), [&](const Interval& i) { return i.begin <= t && t < i.end; });
 }
 
-const Contacts::PhalanxMotion& Contacts::motion_of(std::size_t pad, double t) {
-  PhalanxMotion& m = motion_[pad];
+bool Contacts::live(const Pad& pad, const Modes& modes) const {
+  return pad.of_body() || modes.present[std::size_t(pad.hand)];
+}
+
+const Contacts::PhalanxMotion& Contacts::phalanx(const Pad& pad, double t) {
+  PhalanxMotion& m = phalanges_[std::size_t(pad.hand * phalanx_count + pad.carrier)];
   if (m.t == t) return m;
-  const Pad& p = layout_.pads[pad];
-  const HandMotion& hand = *scene_.hands[std::size_t(p.hand)].motion;
-  m = {t, hand.pose(p.phalanx, t), hand.twist(p.phalanx, t)};
+  const HandMotion& hand = *scene_.hands[std::size_t(pad.hand)].motion;
+  const Pose X = hand.pose(pad.carrier, t);
+  const Twist V = hand.twist(pad.carrier, t);
+  m = {t, X, {X.R.toRotationMatrix(), X.p, V.w, V.v}};
   return m;
 }
 
-const AnchorSurface& Contacts::surface_at(std::size_t slot, const Vector3d& anchor, bool with_curvature) {
+const Motion& Contacts::carrier(const Pad& pad, double t, const Motions& motions) {
+  return pad.of_body() ? motions[std::size_t(pad.carrier)] : phalanx(pad, t).motion;
+}
+
+const AnchorSurface& Contacts::surface_at(std::size_t slot, const Vector3d& anchor, const Foothold& hold,
+                                          bool with_curvature) {
   SurfaceMemory& m = memory_[slot];
-  if (!with_curvature && m.anchor == anchor) return m.surface;  // stick: the anchor has not moved by a bit
-  const SurfaceSample s = with_curvature ? surface_.evaluate(anchor) : surface_.gradient(anchor);
-  const double slope = s.gradient.norm();
+  // In stick the anchor has not moved by a bit.
+  if (!with_curvature && m.anchor == anchor && m.hold == hold) return m.surface;
   m.anchor = anchor;
-  m.surface = {s.value / slope, s.gradient / slope, s.hessian / slope};
+  m.hold = hold;
+  m.surface = surface(layout_.id[slot].body).at(anchor, hold, with_curvature);
   return m.surface;
 }
 
-Sample Contacts::place(std::size_t slot, double t, const BodyMotion& body, const Vector3d& p_P) {
-  const PhalanxMotion& phalanx = motion_of(std::size_t(layout_.pad_of[slot]), t);
+Sample Contacts::place(std::size_t slot, double t, const Motions& motions, const Vector3d& p_P) {
+  const Pad& pad = layout_.pads[std::size_t(layout_.pad_of[slot])];
+  const Motion& from = carrier(pad, t, motions);
+  const Motion& body = motions[std::size_t(pad.body)];
   Sample s;
-  const Vector3d arm = phalanx.X_WP.R * p_P;
-  s.p_W = phalanx.X_WP.p + arm;
-  s.v_W = phalanx.V_WP.v + phalanx.V_WP.w.cross(arm);
-  const Vector3d offset = s.p_W - body.p_WO;
-  s.p_O = body.R_WO.transpose() * offset;
-  s.v_O = body.R_WO.transpose() * (s.v_W - body.v_WO - body.w_WO.cross(offset));
+  const Vector3d arm = from.R * p_P;
+  s.p_W = from.p + arm;
+  s.v_W = from.v + from.w.cross(arm);
+  const Vector3d offset = s.p_W - body.p;
+  s.p_O = body.R.transpose() * offset;
+  s.v_O = body.R.transpose() * (s.v_W - body.v - body.w.cross(offset));
   return s;
 }
 
-/// Apart: how deep p is; with damping it must be pushing too: k d + c d' > 0 at the surface point below p.
-double Contacts::touch_witness(const BodyMotion& body, const Sample& s) const {
-  const double depth = -surface_.value(s.p_O);
-  if (element_.damping == 0 || depth <= touch_depth) return depth - touch_depth;
-  const Foot foot = surface_.foot(s.p_O);
-  const Vector3d r = s.p_O - foot.p_O;
-  const Vector3d v_C = s.v_O + (body.R_WO.transpose() * body.w_WO).cross(r);
-  const double pressed = foot.depth - element_.damping / element_.stiffness * v_C.dot(foot.n_O);
-  return std::min(depth - touch_depth, pressed);
-}
-
-void Contacts::evaluate_sample(std::size_t slot, const BodyMotion& body, Mode mode, const Vector3d& anchor, Sample& s) {
-  if (mode == Mode::apart) {
-    s.gap = touch_witness(body, s);
-    return;
+/// Force and witnesses of a sample in contact.
+void Contacts::respond_at(std::size_t slot, Mode mode, const Vector3d& anchor, const Foothold& hold, Sample& s) {
+  const Element& element = elements_[std::size_t(layout_.pad_of[slot])];
+  const Surface& surface = *surfaces_[layout_.id[slot].body];
+  const Approach approach{s.p_O - anchor, s.v_O};
+  if (hold.caught()) {
+    const Wedge wedge = surface.wedge(hold);
+    s.n_O = wedge.normal(approach.r);
+    s.response = respond(element, approach, wedge);
+  } else {
+    const bool with_curvature = mode == Mode::slip && element.damping == 0;
+    const AnchorSurface& here = surface_at(slot, anchor, hold, with_curvature);
+    s.n_O = here.n;
+    s.response = respond(element, mode, approach, here);
   }
-  const bool with_curvature = mode == Mode::slip && element_.damping == 0;
-  const AnchorSurface& surface = surface_at(slot, anchor, with_curvature);
-  s.n_O = surface.n;
-  const Vector3d r = s.p_O - anchor;
-  const Vector3d w_O = body.R_WO.transpose() * body.w_WO;
-  s.response = respond(element_, mode, {r, s.v_O + w_O.cross(r), s.v_O}, surface);
   s.gap = s.response.release;
   s.friction = s.response.friction;
+  s.edge = mode == Mode::slip ? surface.overrun(anchor, hold) : -1;
 }
 
-Pose Contacts::pose_in_body(std::size_t pad, double t, const BodyMotion& body) {
-  const Pose X_WO{Eigen::Quaterniond(body.R_WO), body.p_WO};
-  return X_WO.inverse() * motion_of(pad, t).X_WP;
-}
-
-/// Distance to seeding (no patch) or dropping (patch, all samples apart); only its sign and zero must be right.
-///
-/// No skin point moved farther than `moved` since the distance was last computed, so often that answers; the search for
-/// the nearest point costs more than all the rest.
-double Contacts::nearness(std::size_t pad, double t, const BodyMotion& body, const Modes& modes) {
-  const Pad& p = layout_.pads[pad];
-  if (p.given || !modes.present[std::size_t(p.hand)]) return -1;
-  const auto first = modes.mode.begin() + p.first;
-  const bool exists = modes.exists[std::size_t(p.first)];
-  if (exists && std::any_of(first, first + p.count, [](Mode m) { return m != Mode::apart; })) return -1;
-  const Pose X_OP = pose_in_body(pad, t, body);
-  NearMemory& near = near_[pad];
-  if (near.known) {
-    const double angle_half_sine = (near.X_OP.R.conjugate() * X_OP.R).vec().norm();
-    const double moved = (X_OP.p - near.X_OP.p).norm() + 2 * angle_half_sine * p.reach;
-    const double bound = exists ? near.distance + moved - drop_distance_ : seed_distance_ - (near.distance - moved);
-    if (bound < 0) return bound;
+/// Action on the touched body, reaction on the carrying one, both along the line through p.
+void Contacts::add_to(const Pad& pad, const Motions& motions, Sample& s, Evaluation& out) const {
+  const Motion& body = motions[std::size_t(pad.body)];
+  const Vector3d force = body.R * s.response.force;
+  Wrench& action = out.wrench[std::size_t(pad.body)];
+  action.force += force;
+  action.torque += (s.p_W - body.p).cross(force);
+  if (pad.of_body()) {
+    Wrench& reaction = out.wrench[std::size_t(pad.carrier)];
+    reaction.force -= force;
+    reaction.torque -= (s.p_W - motions[std::size_t(pad.carrier)].p).cross(force);
+  } else {
+    out.hand_power += force.dot(s.v_W);
   }
-  const double outside = body_.field->bounds().exteriorDistance(X_OP.p) - p.reach;
-  if (!exists && outside > seed_distance_) return seed_distance_ - outside;
-  const HandMotion& hand = *scene_.hands[std::size_t(p.hand)].motion;
-  near = {true, X_OP, nearest(hand.model().shape(p.phalanx), X_OP, *body_.field).distance};
-  return exists ? near.distance - drop_distance_ : seed_distance_ - near.distance;
+  out.dissipation += s.response.dissipation;
+  out.release = std::max(out.release, s.gap);
+  out.friction = std::max(out.friction, s.friction);
+  out.edge = std::max(out.edge, s.edge);
 }
 
-void Contacts::evaluate(double t, const BodyMotion& body, const Modes& modes, const Anchors& anchors, Evaluation& out) {
+void Contacts::evaluate(double t, const Motions& motions, const Modes& modes, const AnchorsView& anchors,
+                        Evaluation& out) {
   out.samples.resize(layout_.id.size());
-  out.nearness.resize(layout_.pads.size());
-  out.force_W = out.torque_W = Vector3d::Zero();
+  out.wrench.assign(motions.size(), Wrench());
   out.hand_power = out.dissipation = 0;
   out.singular_slot = -1;
-  Vector3d force_O = Vector3d::Zero(), torque_O = Vector3d::Zero();
-  for (std::size_t pad = 0; pad < layout_.pads.size(); ++pad) {
-    const Pad& p = layout_.pads[pad];
-    out.nearness[pad] = nearness(pad, t, body, modes);
-    const bool live = modes.present[std::size_t(p.hand)];
-    for (std::size_t slot = std::size_t(p.first); slot < std::size_t(p.first + p.count); ++slot) {
-      Sample& s = out.samples[slot];
-      if (!live || !modes.exists[slot]) {
-        s = Sample();
-        continue;
-      }
-      s = place(slot, t, body, modes.p_P[slot]);
-      const Vector3d anchor = anchors.col(Eigen::Index(slot));
-      evaluate_sample(slot, body, modes.mode[slot], anchor, s);
+  constexpr double none = -1e6;  // of a witness: nothing is near
+  out.release = out.friction = out.edge = none;
+  out.watched = false;
+  for (std::size_t i = 0; i < layout_.pads.size(); ++i) {
+    if (modes.touching[i] == 0) continue;
+    const Pad& pad = layout_.pads[i];
+    for (std::size_t slot = std::size_t(pad.first); slot < std::size_t(pad.first + pad.count); ++slot) {
       if (modes.mode[slot] == Mode::apart) continue;
+      Sample& s = out.samples[slot];
+      s = place(slot, t, motions, modes.p_P[slot]);
+      respond_at(slot, modes.mode[slot], anchors.col(Eigen::Index(slot)), modes.hold[slot], s);
       if (s.response.singular) out.singular_slot = int(slot);
-      force_O += s.response.force;
-      torque_O += anchor.cross(s.response.force);
-      out.hand_power += (body.R_WO * s.response.force).dot(s.v_W);
-      out.dissipation += s.response.dissipation;
+      add_to(pad, motions, s, out);
     }
   }
-  out.force_W = body.R_WO * force_O;
-  out.torque_W = body.R_WO * torque_O;
 }
 
 double Contacts::elastic_energy(const Modes& modes, const Evaluation& evaluation) const {
   double energy = 0;
   for (std::size_t slot = 0; slot < modes.mode.size(); ++slot) {
+    if (modes.mode[slot] == Mode::apart) continue;
     const Response& r = evaluation.samples[slot].response;
-    if (modes.mode[slot] != Mode::apart) energy += 0.5 * element_.stiffness * (r.depth * r.depth + r.lag.squaredNorm());
+    energy += 0.5 * element(int(slot)).stiffness * (r.depth * r.depth + r.lag.squaredNorm());
   }
   return energy;
 }

@@ -1,106 +1,84 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
-#include "cases/recording.hpp"
 #include "cases/scene/scene.hpp"
+#include "reference/contact_data.hpp"
 #include "reference/element.hpp"
 #include "reference/layout.hpp"
-#include "reference/spline_surface.hpp"
+#include "reference/surface.hpp"
 
 namespace handhold::reference {
 
-/// Pose and velocity of the body's frame O in W.
-struct BodyMotion {
-  Eigen::Matrix3d R_WO{Eigen::Matrix3d::Identity()};
-  Eigen::Vector3d p_WO{Eigen::Vector3d::Zero()};  ///< [m]
-  Eigen::Vector3d w_WO{Eigen::Vector3d::Zero()};  ///< [rad/s]
-  Eigen::Vector3d v_WO{Eigen::Vector3d::Zero()};  ///< of O's origin [m/s]
-};
-
-/// What changes only at events.
-struct Modes {
-  std::vector<Mode> mode{};            ///< of every slot
-  std::vector<char> exists{};          ///< of every slot: its patch has been seeded or was given
-  std::vector<Eigen::Vector3d> p_P{};  ///< of every slot: the sample's point in its phalanx [m]
-  std::vector<char> present{};         ///< of every hand
-  bool held{false};                    ///< a support holds the body up
-};
-
-/// Anchors C in O, one column a slot [m]; those of apart samples mean nothing.
-using Anchors = Eigen::Matrix3Xd;
-
-/// One sample at one instant.
-struct Sample {
-  Eigen::Vector3d p_W{Eigen::Vector3d::Zero()};  ///< [m]
-  Eigen::Vector3d v_W{Eigen::Vector3d::Zero()};  ///< [m/s]
-  Eigen::Vector3d p_O{Eigen::Vector3d::Zero()};  ///< [m]
-  Eigen::Vector3d v_O{Eigen::Vector3d::Zero()};  ///< of p in O (relative to the body) [m/s]
-  Eigen::Vector3d n_O{Eigen::Vector3d::Zero()};  ///< at the anchor; zero if apart
-  Response response{};                           ///< zero if apart
-  double gap{-1};       ///< witness: > 0 when an apart sample touches, or one in contact is released
-  double friction{-1};  ///< witness: > 0 when stick breaks away or slip sticks again
-};
-
-/// All samples at one instant.
-struct Evaluation {
-  std::vector<Sample> samples{};   ///< of every slot
-  std::vector<double> nearness{};  ///< witness of every pad: > 0 when a patch is due, or to be dropped
-  Eigen::Vector3d force_W{Eigen::Vector3d::Zero()};   ///< on the body [N]
-  Eigen::Vector3d torque_W{Eigen::Vector3d::Zero()};  ///< about O's origin [N m]
-  double hand_power{};                                ///< [W]
-  double dissipation{};                               ///< [W]
-  int singular_slot{-1};                              ///< where the undamped law has no solution; -1: nowhere
-};
-
-/// A change of mode of one sample.
-struct Transition {
-  int slot{};
-  EventKind kind{};
-};
-
-/// The contacts of one body with all hands: forces, anchor rates, witnesses, and what happens at events.
+/// The contacts of all bodies with all hands and with each other: forces, anchor rates, witnesses, and what happens at
+/// events.
 ///
-/// A function of time, motion, modes and anchors only; members are memories of costly results, checked by value.
+/// A function of time, motions, modes and anchors only; members are memories of costly results, checked by value. What
+/// is far costs a look at its pad's bounds, and no more than once a step: evaluate() sees samples in contact, watch()
+/// the others. All sums run in the order of slots.
 class Contacts {
  public:
   /// `accuracy`: of the integration, to know what is noise.
-  Contacts(const Scene& scene, double accuracy);
+  Contacts(const Scene& scene, double accuracy, SurfaceModel model);
 
   [[nodiscard]] const Layout& layout() const { return layout_; }
   [[nodiscard]] int slots() const { return int(layout_.id.size()); }
+  [[nodiscard]] const Surface& surface(int body) const { return *surfaces_[std::size_t(body)]; }
+  [[nodiscard]] const Element& element(int slot) const {
+    return elements_[std::size_t(layout_.pad_of[std::size_t(slot)])];
+  }
 
-  void evaluate(double t, const BodyMotion& body, const Modes& modes, const Anchors& anchors, Evaluation& out);
+  /// Forces, and the witnesses of samples in contact. Does not allocate after the first call.
+  void evaluate(double t, const Motions& motions, const Modes& modes, const AnchorsView& anchors, Evaluation& out);
+
+  /// The other witnesses, of apart samples and of patches.
+  void watch(double t, const Motions& motions, const Modes& modes, Evaluation& out);
+
+  /// Modes without hands, patches and contacts.
+  void clear(Modes& modes) const;
 
   /// Modes and anchors at t = 0, from the starts given in the scene.
-  void start(const BodyMotion& body, Modes& modes, Anchors& anchors);
+  void start(const Motions& motions, Modes& modes, Anchors& anchors);
 
-  /// Carries out all changes of mode that are due until none is, seeds and drops patches. Adds to `dissipated` what the
-  /// springs lose when anchors jump or let go [J]. Throws std::logic_error if the modes do not come to rest.
-  std::vector<Transition> settle(double t, const BodyMotion& body, Modes& modes, Anchors& anchors, double& dissipated);
+  /// What settle works on.
+  struct Settling {
+    double t;
+    const Motions& motions;
+    Modes& modes;
+    Anchors& anchors;
+    std::vector<Transition> changes{};
+    double dissipated{};  ///< what the springs lose when anchors jump or let go [J]
+  };
+
+  /// Carries out all changes that are due until none is, seeds and drops patches. Throws CannotAdvance if the modes do
+  /// not come to rest.
+  void settle(Settling& now);
 
   /// Whether hand `hand` exists just after t.
   [[nodiscard]] bool present_after(int hand, double t) const;
 
+  /// Position and velocity of a sample; mode and witnesses are left at "apart".
+  [[nodiscard]] Sample place(std::size_t slot, double t, const Motions& motions, const Eigen::Vector3d& p_P);
+
   /// ½ k |p − C|² of the samples in contact [J].
   [[nodiscard]] double elastic_energy(const Modes& modes, const Evaluation& evaluation) const;
 
-  /// Of a slot, for messages: "hand 0 index_distal sample 3".
+  /// Of a slot, for messages: "hand 0 index_distal sample 3 on body 'cube'".
   [[nodiscard]] std::string describe(int slot) const;
-
-  [[nodiscard]] const SplineSurface& surface() const { return surface_; }
 
  private:
   struct PhalanxMotion {
     double t{-1};
     Pose X_WP{};
-    Twist V_WP{};
+    Motion motion{};
   };
   struct SurfaceMemory {
     Eigen::Vector3d anchor{Eigen::Vector3d::Constant(-1e300)};
+    Foothold hold{};
     AnchorSurface surface{};
   };
   struct NearMemory {  // the distance found at some earlier pose bounds the distance now
@@ -109,32 +87,44 @@ class Contacts {
     double distance{};
   };
 
-  [[nodiscard]] const PhalanxMotion& motion_of(std::size_t pad, double t);
-  [[nodiscard]] const AnchorSurface& surface_at(std::size_t slot, const Eigen::Vector3d& anchor, bool with_curvature);
-  [[nodiscard]] Sample place(std::size_t slot, double t, const BodyMotion& body, const Eigen::Vector3d& p_P);
-  void evaluate_sample(std::size_t slot, const BodyMotion& body, Mode mode, const Eigen::Vector3d& anchor, Sample& s);
-  [[nodiscard]] double touch_witness(const BodyMotion& body, const Sample& s) const;
-  [[nodiscard]] double nearness(std::size_t pad, double t, const BodyMotion& body, const Modes& modes);
-  [[nodiscard]] Pose pose_in_body(std::size_t pad, double t, const BodyMotion& body);
+  [[nodiscard]] const PhalanxMotion& phalanx(const Pad& pad, double t);
+  [[nodiscard]] const Motion& carrier(const Pad& pad, double t, const Motions& motions);
+  [[nodiscard]] const AnchorSurface& surface_at(std::size_t slot, const Eigen::Vector3d& anchor, const Foothold& hold,
+                                                bool with_curvature);
+  void respond_at(std::size_t slot, Mode mode, const Eigen::Vector3d& anchor, const Foothold& hold, Sample& s);
+  void add_to(const Pad& pad, const Motions& motions, Sample& s, Evaluation& out) const;
+  [[nodiscard]] bool live(const Pad& pad, const Modes& modes) const;
+
+  // watch.cpp
+  [[nodiscard]] double touch_witness(std::size_t slot, const Sample& s) const;
+  [[nodiscard]] double far(const Pad& pad, double t, const Motions& motions);
+  [[nodiscard]] double nearness(std::size_t pad, double t, const Motions& motions, const Modes& modes);
+  [[nodiscard]] Pose pose_in_body(const Pad& pad, double t, const Motions& motions);
 
   // settle.cpp
-  [[nodiscard]] bool settle_pad(std::size_t pad, double t, const BodyMotion& body, Modes& modes);
-  void settle_slot(std::size_t slot, double t, const BodyMotion& body, Modes& modes, Anchors& anchors,
-                   std::vector<Transition>& changes, double& dissipated);
-  void touch(std::size_t slot, const BodyMotion& body, const Sample& s, Mode& mode, Eigen::Vector3d& anchor);
-  [[nodiscard]] Eigen::Vector3d with_lag(const Eigen::Vector3d& p_O, const Eigen::Vector3d& anchor,
-                                         const Eigen::Vector3d& direction, double ratio, double margin) const;
+  struct Slot;  // one sample while it is being settled
+  [[nodiscard]] bool settle_pad(std::size_t pad, Settling& now);
+  void settle_samples(std::size_t pad, Settling& now);
+  void settle_slot(std::size_t slot, Settling& now);
+  [[nodiscard]] bool change(Slot& x, Settling& now);
+  void look(Slot& x);
+  void touch(Slot& x);
+  void break_away(Slot& x);
+  void stick_again(Slot& x);
+  [[nodiscard]] bool go_over(Slot& x);
+  [[nodiscard]] Eigen::Vector3d with_lag(std::size_t slot, const Eigen::Vector3d& p_O, const Eigen::Vector3d& anchor,
+                                         const Foothold& hold, const Eigen::Vector3d& direction, double ratio,
+                                         double margin) const;
 
   const Scene& scene_;
-  const Body& body_;
-  Element element_;
   Layout layout_;
-  SplineSurface surface_;
-  double seed_distance_;               // [m]
-  double drop_distance_;               // [m]
-  std::vector<PhalanxMotion> motion_;  // of every pad
-  std::vector<SurfaceMemory> memory_;  // of every slot
-  std::vector<NearMemory> near_;       // of every pad
+  std::vector<std::shared_ptr<const Surface>> surfaces_;  // of every body
+  std::vector<Element> elements_;                         // of every pad
+  std::vector<double> drop_distance_;                     // of every body [m]
+  double seed_distance_;                                  // [m]
+  std::vector<PhalanxMotion> phalanges_;                  // phalanx_count of every hand
+  std::vector<SurfaceMemory> memory_;                     // of every slot
+  std::vector<NearMemory> near_;                          // of every pad
 };
 
 }  // namespace handhold::reference

@@ -17,7 +17,7 @@ constexpr double least_divisor = 0.02;
 void stick(const Element& element, const Approach& approach, Response& o, const Vector3d& n) {
   o.force = -o.normal_force * n + o.trial;
   o.friction = o.trial.norm() - element.friction.mu_static * o.normal_force;
-  o.dissipation = element.damping * approach.v_C.squaredNorm();
+  o.dissipation = element.damping * approach.v.squaredNorm();
 }
 
 /// c > 0: the slider yields under the force that the spring and damper pass on to it: c a' = t* − mu_d N t̂.
@@ -53,7 +53,7 @@ void spring_slip(const Element& element, const Approach& approach, const AnchorS
   const double divisor = 1 - kappa * (o.depth + mu * length);
   o.singular = !(divisor > least_divisor);
   if (o.singular) return;
-  const double lambda = (direction.dot(approach.v_p) + mu * approach.v_p.dot(n)) / divisor;
+  const double lambda = (direction.dot(approach.v) + mu * approach.v.dot(n)) / divisor;
   const double speed = lambda + stabilisation * (length - mu * o.depth);
   o.anchor_rate = speed * direction;
   o.friction = o.depth > element.shallow ? -lambda : -1;
@@ -68,8 +68,8 @@ Response respond(const Element& element, Mode mode, const Approach& approach, co
   Response o;
   o.depth = -approach.r.dot(n);
   o.lag = approach.r + o.depth * n;
-  o.depth_rate = -approach.v_C.dot(n);
-  const Vector3d v_t = approach.v_C + o.depth_rate * n;
+  o.depth_rate = -approach.v.dot(n);
+  const Vector3d v_t = approach.v + o.depth_rate * n;
   o.normal_force = k * o.depth + c * o.depth_rate;
   o.trial = k * o.lag + c * v_t;
   o.release = c > 0 ? -o.normal_force : k * (touch_depth / 2 - o.depth);
@@ -83,8 +83,7 @@ Response respond(const Element& element, Mode mode, const Approach& approach, co
     spring_slip(element, approach, surface, o);
   } else {
     o.force = -o.normal_force * n;
-    const Vector3d v_surface = approach.v_p - approach.v_p.dot(n) * n;
-    frictionless_slip(v_surface, surface, o);
+    frictionless_slip(v_t, surface, o);
   }
   o.anchor_rate -= stabilisation * surface.phi * n;
   return o;

@@ -30,20 +30,19 @@ struct AnchorSurface {
 
 /// A sample point p seen from its anchor C, all in the object's frame O.
 struct Approach {
-  Eigen::Vector3d r{Eigen::Vector3d::Zero()};    ///< p − C [m]
-  Eigen::Vector3d v_C{Eigen::Vector3d::Zero()};  ///< velocity of p less that of the object's material point at C [m/s]
-  Eigen::Vector3d v_p{Eigen::Vector3d::Zero()};  ///< ... less that of its material point at p: how p moves in O [m/s]
+  Eigen::Vector3d r{Eigen::Vector3d::Zero()};  ///< p − C [m]
+  Eigen::Vector3d v{Eigen::Vector3d::Zero()};  ///< of p in O: its velocity less that of O's material point at p [m/s]
 };
 
 /// What the element does in a given mode, continued smoothly past the switch, so that trial steps across it are
 /// harmless.
 struct Response {
   double depth{};                                        ///< d = −r·n [m]
-  double depth_rate{};                                   ///< d' = −v_C·n [m/s]
+  double depth_rate{};                                   ///< d' = −v·n, while C rests [m/s]
   double normal_force{};                                 ///< N = k d + c d' [N]; negative only past `release`
   Eigen::Vector3d lag{Eigen::Vector3d::Zero()};          ///< e = r + d n [m]
   Eigen::Vector3d trial{Eigen::Vector3d::Zero()};        ///< t* = k e + c v_t [N]
-  Eigen::Vector3d force{Eigen::Vector3d::Zero()};        ///< on the object at C [N]
+  Eigen::Vector3d force{Eigen::Vector3d::Zero()};        ///< on the object, along the line through p [N]
   Eigen::Vector3d anchor_rate{Eigen::Vector3d::Zero()};  ///< of C in O [m/s]
   double dissipation{};                                  ///< by damper and slider [W]
   double release{};                                      ///< > 0: goes apart

@@ -7,26 +7,26 @@
 namespace handhold::reference {
 namespace {
 
-BodyState body_state(const BodyMotion& body) {
-  return {{Eigen::Quaterniond(body.R_WO).normalized(), body.p_WO}, {body.w_WO, body.v_WO}};
-}
-
 using Eigen::Vector3d;
 
+BodyState body_state(const Motion& body) {
+  return {{Eigen::Quaterniond(body.R).normalized(), body.p}, {body.w, body.v}};
+}
+
 /// Of a sample that is apart: its distance and, within the band, the surface point below it.
-void describe_apart(const SplineSurface& surface, const BodyMotion& body, const Sample& s, ContactState& c) {
+void describe_apart(const Surface& surface, const Motion& body, const Sample& s, ContactState& c) {
   const double distance = surface.value(s.p_O);
   c.depth = -distance;
   c.C_W = c.p_W;
   if (!(std::abs(distance) < 0.9 * surface.band())) return;
   const Foot foot = surface.foot(s.p_O);
   c.depth = foot.depth;
-  c.C_W = body.p_WO + body.R_WO * foot.p_O;
-  c.n_W = body.R_WO * foot.n_O;
+  c.C_W = body.p + body.R * foot.p_O;
+  c.n_W = body.R * foot.n_O;
 }
 
-ContactState contact_state(const SampleId& id, Mode mode, const Vector3d& anchor, const Sample& s,
-                           const BodyMotion& body, const SplineSurface& surface) {
+ContactState contact_state(const SampleId& id, Mode mode, const Vector3d& anchor, const Sample& s, const Motion& body,
+                           const Surface& surface) {
   ContactState c;
   c.id = id;
   c.mode = mode;
@@ -36,10 +36,22 @@ ContactState contact_state(const SampleId& id, Mode mode, const Vector3d& anchor
     return c;
   }
   c.depth = s.response.depth;
-  c.C_W = body.p_WO + body.R_WO * anchor;
-  c.n_W = body.R_WO * s.n_O;
-  c.f_W = body.R_WO * s.response.force;
+  c.C_W = body.p + body.R * anchor;
+  c.n_W = body.R * s.n_O;
+  c.f_W = body.R * s.response.force;
   return c;
+}
+
+double kinetic(const Body& body, const Motion& m) {
+  const Vector3d v = m.v + m.w.cross(m.R * body.inertia.center);
+  const Vector3d w_O = m.R.transpose() * m.w;
+  const double turning = body.mobility == Mobility::free ? 0.5 * w_O.dot(body.inertia.about_center * w_O) : 0.0;
+  return 0.5 * body.inertia.mass * v.squaredNorm() + turning;
+}
+
+double potential(const Body& body, const Motion& m, const Vector3d& gravity) {
+  const Vector3d start = body.X_WO.p + body.X_WO.R.normalized() * body.inertia.center;
+  return -body.inertia.mass * gravity.dot(m.p + m.R * body.inertia.center - start);
 }
 
 }  // namespace
@@ -51,47 +63,51 @@ Recorder::Recorder(const Scene& scene, const Options& options) : scene_(scene) {
   provenance("accuracy", fmt::format("{:g}", options.accuracy));
   provenance("max_step", fmt::format("{:g} s", options.max_step));
   provenance("frame_rate", fmt::format("{:g} Hz", options.frame_rate));
+  provenance("surface", options.surface == SurfaceModel::mesh ? "mesh" : "voxels");
   provenance("compiler", "g++ " __VERSION__);
 }
 
-Energy Recorder::energy(const BodyMotion& body, const Modes& modes, const Evaluation& evaluation,
+Energy Recorder::energy(const Motions& motions, const Modes& modes, const Evaluation& evaluation,
                         const Contacts& contacts, const Work& work) const {
   Energy energy;
   energy.elastic = contacts.elastic_energy(modes, evaluation);
   energy.dissipated = work.dissipated;
   energy.hand_work = work.hand;
-  const Body& solid = scene_.bodies.front();
-  if (solid.mobility == Mobility::fixed) return energy;
-  const Vector3d arm = body.R_WO * solid.inertia.center;
-  const Vector3d v = body.v_WO + body.w_WO.cross(arm);
-  const Vector3d w_O = body.R_WO.transpose() * body.w_WO;
-  energy.kinetic = 0.5 * solid.inertia.mass * v.squaredNorm();
-  if (solid.mobility == Mobility::free) energy.kinetic += 0.5 * w_O.dot(solid.inertia.about_center * w_O);
-  const Vector3d start = solid.X_WO.p + solid.X_WO.R.normalized() * solid.inertia.center;
-  energy.potential = -solid.inertia.mass * scene_.gravity.dot(body.p_WO + arm - start);
+  for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
+    if (scene_.bodies[i].mobility == Mobility::fixed) continue;
+    energy.kinetic += kinetic(scene_.bodies[i], motions[i]);
+    energy.potential += potential(scene_.bodies[i], motions[i], scene_.gravity);
+  }
   return energy;
 }
 
-void Recorder::frame(double t, const BodyMotion& body, const Modes& modes, const Anchors& anchors,
-                     const Evaluation& evaluation, const Contacts& contacts, const Work& work) {
+void Recorder::frame(double t, const Motions& motions, const Modes& modes, const AnchorsView& anchors,
+                     const Evaluation& evaluation, Contacts& contacts, const Work& work) {
   Frame frame;
   frame.t = t;
-  frame.bodies.push_back(body_state(body));
+  for (const Motion& motion : motions) frame.bodies.push_back(body_state(motion));
   const Layout& layout = contacts.layout();
   for (std::size_t slot = 0; slot < layout.id.size(); ++slot) {
-    const bool live = modes.present[layout.id[slot].hand];
-    if (!modes.exists[slot] || !live) continue;
-    frame.contacts.push_back(contact_state(layout.id[slot], modes.mode[slot], anchors.col(Eigen::Index(slot)),
-                                           evaluation.samples[slot], body, contacts.surface()));
+    const SampleId& id = layout.id[slot];
+    if (!modes.exists[slot] || !(id.belongs_to_body() || modes.present[id.hand])) continue;
+    const bool apart = modes.mode[slot] == Mode::apart;
+    const Sample s = apart ? contacts.place(slot, t, motions, modes.p_P[slot]) : evaluation.samples[slot];
+    const Surface& surface = contacts.surface(id.body);
+    if (apart && id.belongs_to_body() && surface.value(s.p_O) > scene_.patch.contact_offset) continue;
+    frame.contacts.push_back(
+        contact_state(id, modes.mode[slot], anchors.col(Eigen::Index(slot)), s, motions[id.body], surface));
   }
-  frame.energy = energy(body, modes, evaluation, contacts, work);
+  frame.contacts.shrink_to_fit();  // a long trace has many frames
+  frame.energy = energy(motions, modes, evaluation, contacts, work);
   recording_.frames.push_back(std::move(frame));
 }
 
-void Recorder::events(double t, double window, const std::vector<Transition>& transitions, const BodyMotion& body,
+void Recorder::events(double t, double window, const std::vector<Transition>& transitions, const Motions& motions,
                       const Layout& layout) {
-  for (const Transition& x : transitions)
-    recording_.events.push_back({t, window, x.kind, layout.id[std::size_t(x.slot)], body_state(body)});
+  for (const Transition& x : transitions) {
+    const SampleId& id = layout.id[std::size_t(x.slot)];
+    recording_.events.push_back({t, window, x.kind, id, body_state(motions[id.body])});
+  }
 }
 
 void Recorder::end(Outcome outcome, const std::string& note) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "cases/recording.hpp"
@@ -20,9 +22,11 @@ class Recorder {
  public:
   Recorder(const Scene& scene, const Options& options);
 
-  void frame(double t, const BodyMotion& body, const Modes& modes, const Anchors& anchors, const Evaluation& evaluation,
-             const Contacts& contacts, const Work& work);
-  void events(double t, double window, const std::vector<Transition>& transitions, const BodyMotion& body,
+  /// Samples of bodies are written down while they are nearer than the contact offset, as the patches of phalanges are:
+  /// far ones would fill the memory.
+  void frame(double t, const Motions& motions, const Modes& modes, const AnchorsView& anchors,
+             const Evaluation& evaluation, Contacts& contacts, const Work& work);
+  void events(double t, double window, const std::vector<Transition>& transitions, const Motions& motions,
               const Layout& layout);
   void frame_time(double seconds) { recording_.frame_time.push_back(seconds); }
   void end(Outcome outcome, const std::string& note);
@@ -31,7 +35,7 @@ class Recorder {
   [[nodiscard]] Recording take() { return std::move(recording_); }
 
  private:
-  [[nodiscard]] Energy energy(const BodyMotion& body, const Modes& modes, const Evaluation& evaluation,
+  [[nodiscard]] Energy energy(const Motions& motions, const Modes& modes, const Evaluation& evaluation,
                               const Contacts& contacts, const Work& work) const;
 
   const Scene& scene_;

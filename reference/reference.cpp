@@ -16,9 +16,6 @@ constexpr double most_frames = 1e7;
 
 void check_scene(const Scene& scene, const Options& options) {
   validate(scene);
-  if (scene.bodies.size() > 1)
-    throw InputError(fmt::format("scene '{}' with {} bodies: the reference simulates one (remove the others)",
-                                 scene.name, scene.bodies.size()));
   if (scene.duration * options.frame_rate > most_frames)
     throw InputError(fmt::format("frame_rate={} Hz for {} s: more than {:g} frames (choose a lower rate)",
                                  options.frame_rate, scene.duration, most_frames));

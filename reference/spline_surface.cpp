@@ -92,28 +92,38 @@ SurfaceSample SplineSurface::sample(const Vector3d& p_O) const {
   const Weights x = weights(node.x() - cell.x()), y = weights(node.y() - cell.y()), z = weights(node.z() - cell.z());
   const std::ptrdiff_t row = size_.x(), slab = row * size_.y();
   const double* base = &coefficients_[std::size_t(cell.z() * slab + cell.y() * row + cell.x())];
-  // Sums over x are shared by all derivatives of y and z.
+  // Sums over x, then over y, then over z; every derivative shares those of the lower axes.
   double f = 0, fx = 0, fy = 0, fz = 0, fxx = 0, fyy = 0, fzz = 0, fxy = 0, fxz = 0, fyz = 0;
   for (std::size_t k = 0; k < 4; ++k) {
+    double g = 0, gx = 0, gy = 0, gxx = 0, gxy = 0, gyy = 0;
     for (std::size_t j = 0; j < 4; ++j) {
       const double* c = base + std::ptrdiff_t(k) * slab + std::ptrdiff_t(j) * row;
       const double s = c[0] * x.w[0] + c[1] * x.w[1] + c[2] * x.w[2] + c[3] * x.w[3];
-      f += s * y.w[j] * z.w[k];
+      g += s * y.w[j];
       if constexpr (Derivatives >= 1) {
         const double sx = c[0] * x.dw[0] + c[1] * x.dw[1] + c[2] * x.dw[2] + c[3] * x.dw[3];
-        fx += sx * y.w[j] * z.w[k];
-        fy += s * y.dw[j] * z.w[k];
-        fz += s * y.w[j] * z.dw[k];
+        gx += sx * y.w[j];
+        gy += s * y.dw[j];
         if constexpr (Derivatives >= 2) {
-          const double sxx = c[0] * x.ddw[0] + c[1] * x.ddw[1] + c[2] * x.ddw[2] + c[3] * x.ddw[3];
-          fxx += sxx * y.w[j] * z.w[k];
-          fyy += s * y.ddw[j] * z.w[k];
-          fzz += s * y.w[j] * z.ddw[k];
-          fxy += sx * y.dw[j] * z.w[k];
-          fxz += sx * y.w[j] * z.dw[k];
-          fyz += s * y.dw[j] * z.dw[k];
+          gxx += (c[0] * x.ddw[0] + c[1] * x.ddw[1] + c[2] * x.ddw[2] + c[3] * x.ddw[3]) * y.w[j];
+          gxy += sx * y.dw[j];
+          gyy += s * y.ddw[j];
         }
       }
+    }
+    f += g * z.w[k];
+    if constexpr (Derivatives >= 1) {
+      fx += gx * z.w[k];
+      fy += gy * z.w[k];
+      fz += g * z.dw[k];
+    }
+    if constexpr (Derivatives >= 2) {
+      fxx += gxx * z.w[k];
+      fxy += gxy * z.w[k];
+      fyy += gyy * z.w[k];
+      fxz += gx * z.dw[k];
+      fyz += gy * z.dw[k];
+      fzz += g * z.ddw[k];
     }
   }
   SurfaceSample out;
@@ -141,6 +151,12 @@ Vector3d SplineSurface::project(const Vector3d& p_O) const {
     if (step.squaredNorm() < 1e-36) break;  // 1e-18 m: below the round-off of coordinates
   }
   return p;
+}
+
+AnchorSurface SplineSurface::at(const Vector3d& anchor_O, const Foothold&, bool with_curvature) const {
+  const SurfaceSample s = with_curvature ? evaluate(anchor_O) : gradient(anchor_O);
+  const double slope = s.gradient.norm();
+  return {s.value / slope, s.gradient / slope, s.hessian / slope};
 }
 
 /// Deep in the solid the spline is flat (clamped) or kinked (medial axis): start from the exact mesh there.

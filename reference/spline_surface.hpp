@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include "cases/geometry/voxel_field.hpp"
+#include "reference/surface.hpp"
 
 namespace handhold::reference {
 
@@ -16,25 +17,18 @@ struct SurfaceSample {
   Eigen::Matrix3d hessian{Eigen::Matrix3d::Zero()};   ///< [1/m]
 };
 
-/// The surface point below a point, with the outward normal there.
-struct Foot {
-  Eigen::Vector3d p_O{Eigen::Vector3d::Zero()};  ///< on the spline's zero set [m]
-  Eigen::Vector3d n_O{Eigen::Vector3d::Zero()};  ///< unit
-  double depth{};                                ///< −(point − p_O)·n_O [m]
-};
-
 /// C2 tricubic B-spline through the node distances of a VoxelField; its zero set is the surface the reference slides
 /// on.
 ///
 /// Exact for planes (natural ends); order 4 in the voxel size where the distance is smooth; edges are rounded over one
 /// or two voxels. The prefilter forgets a disturbance by 2 − √3 = 0.27 a voxel, so that the clamp of the field at
 /// ±band, at least 12 voxels away, moves the surface by less than 1e-7 voxels. Off the grid: VoxelField::distance.
-class SplineSurface {
+class SplineSurface : public Surface {
  public:
   /// Throws InputError for a band of less than 12 voxels or a grid of less than 4 nodes a side.
   explicit SplineSurface(std::shared_ptr<const VoxelField> field);
 
-  [[nodiscard]] double value(const Eigen::Vector3d& p_O) const;
+  [[nodiscard]] double value(const Eigen::Vector3d& p_O) const override;
   [[nodiscard]] SurfaceSample evaluate(const Eigen::Vector3d& p_O) const;  ///< with the Hessian
   [[nodiscard]] SurfaceSample gradient(const Eigen::Vector3d& p_O) const;  ///< Hessian left zero
 
@@ -42,9 +36,14 @@ class SplineSurface {
   [[nodiscard]] Eigen::Vector3d project(const Eigen::Vector3d& p_O) const;
 
   /// The closest surface point of any point: (p_O − foot) is parallel to the normal at the foot.
-  [[nodiscard]] Foot foot(const Eigen::Vector3d& p_O) const;
+  [[nodiscard]] Foot foot(const Eigen::Vector3d& p_O) const override;
 
-  [[nodiscard]] double band() const { return field_->band(); }
+  [[nodiscard]] AnchorSurface at(const Eigen::Vector3d& anchor_O, const Foothold&, bool with_curvature) const override;
+  [[nodiscard]] Eigen::Vector3d project(const Eigen::Vector3d& p_O, const Foothold&) const override {
+    return project(p_O);
+  }
+
+  [[nodiscard]] double band() const override { return field_->band(); }
 
  private:
   template <int Derivatives>

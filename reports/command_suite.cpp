@@ -26,7 +26,8 @@ struct SuiteCommand {
   std::string out{"handhold-report"};
 };
 
-compare::SuiteResult run(const compare::SuiteOptions& options) {
+compare::SuiteResult run(compare::SuiteOptions options) {
+  options.stop = interrupted;
   const std::unique_ptr<compare::Engine> reference = compare::make_engine("reference");
   const std::unique_ptr<compare::Engine> realtime = compare::make_engine("realtime");
   ProgressLine progress;
@@ -73,7 +74,7 @@ void add_suite(CLI::App& app, Invocation& invocation) {
   command->footer(
       "Examples:\n  handhold suite\n  handhold suite --only C01,D02 --out report\n  handhold suite --substeps 16 "
       "--no-order\n"
-      "Ctrl-C ends it after the current run; what was judged until then is written and says so.");
+      "Ctrl-C ends it; the runs judged until then are written, and the report says that it is partial.");
   command->callback([options, &invocation] { execute(*options, invocation); });
 }
 

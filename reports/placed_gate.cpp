@@ -14,7 +14,8 @@ namespace {
 void append(std::vector<PlacedGate>& out, const compare::CaseResult& of_case, const compare::RunResult& run) {
   for (const compare::Finding& finding : run.findings) {
     out.push_back({&of_case, &run, &finding, Judged::reference, &finding.reference.gate});
-    out.push_back({&of_case, &run, &finding, Judged::realtime, &finding.realtime.gate});
+    if (finding.realtime.asked)
+      out.push_back({&of_case, &run, &finding, Judged::realtime, &finding.realtime.gate});
     if (finding.study) out.push_back({&of_case, &run, &finding, Judged::order, &finding.study->gate});
   }
 }

@@ -14,7 +14,7 @@ function(folders_seen_by file out)
   set(seen_by_reports   cases compare reports)
   string(REGEX MATCH "^[a-z]+" folder "${file}")
   set(seen ${seen_by_${folder}})
-  if(file MATCHES "^compare/engines\\.cpp$")  # the adapters
+  if(file MATCHES "^compare/(baseline_)?engines\\.cpp$")  # the adapters
     list(APPEND seen realtime reference)
   elseif(file MATCHES "^reports/(handhold|command_[a-z_]+)\\.[ch]pp$")  # the command line
     list(APPEND seen realtime reference)
@@ -27,11 +27,13 @@ set(shared_headers "^cases/([a-z_]+|geometry/(mesh|mass_properties|voxel_field)|
 
 # A package's slow, viral or licence-bearing headers stay in few files: "<regex of the include>|<regex of the files that may>".
 set(packages
-  "Simbody|SimTK|simbody"  "^(tests/)?reference/simbody_[a-z_]+\\.[ch]pp$"
+  "Simbody|SimTK|simbody"  "^(tests/)?reference/(rigid/)?simbody_[a-z_]+\\.[ch]pp$"
   "CGAL/"                  "^(cases/geometry/cgal_[a-z_]+\\.cpp|tests/cases/geometry/[a-z_]+\\.cpp)$"
   "CLI/"                   "^reports/(handhold|command_[a-z_]+|option_checks)\\.[ch]pp$"
   "assimp/"                "^cases/geometry/mesh_reader\\.cpp$"
   "toml\\+\\+|toml\\.hpp"  "^cases/scene/(scene_file|toml_section)\\.[ch]pp$"
+  "ode/|mujoco/|dart/"     "^compare/peers/[a-z_]+\\.cpp$"
+  "benchmark/"             "^tests/bench/[a-z_]+\\.[ch]pp$"
   "gsl/"                   "^(cases|compare|reference|tests)/.*\\.[ch]pp$"
   "fmt/"                   "^(cases|reference|compare|reports|tests)/.*\\.[ch]pp$"
   "nlohmann/"              "^(cases|compare|reports|tests)/.*\\.[ch]pp$")

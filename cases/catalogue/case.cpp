@@ -46,9 +46,47 @@ Limit euler_bias_limit(double change) {
       .reason = "semi-implicit Euler is off by half a sub-step times the change of speed (R03), + 2 % for the onset"};
 }
 
+Limit implicit_ring_limit(double amplitude, double frequency, double t) {
+  const double damping = frequency * frequency * t / 2;
+  return {.per_substep = std::abs(amplitude) * damping * (1 + 2 * frequency / (3 * 360)),
+          .reason =
+              "the implicit step damps an oscillation by w^2 h/2 a second and slows it by (w h)^2/3: amplitude "
+              "times w^2 t/2 (1 + 2 w h/3)"};
+}
+
 const std::vector<Case>& all_cases() {
-  static const std::vector<Case> cases{incline_case(),       stopping_case(),  pinch_case(),
-                                       pinch_opening_case(), palm_lift_case(), spin_down_case()};
+  static const std::vector<Case> cases{projectile_case(),
+                                       incline_case(),
+                                       incline_flick_case(),
+                                       stopping_case(),
+                                       load_ramp_case(),
+                                       harmonic_force_case(),
+                                       friction_oscillator_case(),
+                                       forced_oscillator_case(),
+                                       belt_case(),
+                                       oscillating_palm_case(),
+                                       pinch_case(),
+                                       pinch_opening_case(),
+                                       catch_case(),
+                                       shaken_pinch_case(),
+                                       sideways_pinch_case(),
+                                       palm_lift_case(),
+                                       spin_down_case(),
+                                       eccentric_load_case(),
+                                       pivot_case(),
+                                       sliding_spin_case(),
+                                       drag_step_case(),
+                                       sudden_release_case(),
+                                       jenkins_loop_case(),
+                                       moving_catch_case(),
+                                       handover_case(),
+                                       ratchet_case(),
+                                       tray_case(),
+                                       twist_case(),
+                                       spin_stop_case(),
+                                       held_cube_case(),
+                                       normal_shake_case(),
+                                       chatter_case()};
   return cases;
 }
 

@@ -19,8 +19,8 @@ enum class Pedigree { exact, discrete_exact, converged, published, regression };
 [[nodiscard]] std::string_view to_string(Pedigree pedigree);
 
 /// What is measured on a recording; from the poses of body 0, the hand's motion and the events alone, so that it can be
-/// asked of any engine. "Relative" means: of the body's centre of mass against the case's phalanx, both counted from t
-/// = 0.
+/// asked of any engine (forces and energy only of those that record contacts and the energy book). "Relative" means: of
+/// the body's centre of mass against the case's phalanx, both counted from t = 0.
 struct Measure {
   enum class Kind {
     event_time,            ///< time of the `occurrence`-th first event of kind `event` of any sample [s]
@@ -30,6 +30,10 @@ struct Measure {
     rotation,              ///< angle turned about `axis` since t = 0, unwrapped, at the instant [rad]
     held,                  ///< 1 if the largest |relative displacement along `axis`| stays below `level` [m], else 0
     no_event,              ///< 1 if no event of kind `event` happens, else 0
+    event_count,           ///< how many events of kind `event` there are
+    force,                 ///< on body 0 along `axis` by the chosen samples, on the frame `at` [N]
+    torque,                ///< the same's torque about the axis through `point` [N m]
+    dissipated,            ///< energy lost to friction and dampers since t = 0, on the frame `at` [J]
   };
   Kind kind{Kind::displacement};
   EventKind event{EventKind::touch};
@@ -37,6 +41,8 @@ struct Measure {
   Eigen::Vector3d axis{Eigen::Vector3d::UnitX()};  ///< unit, in W
   std::optional<double> at{};                      ///< the instant [s]; nothing: the instant of the event
   double level{};
+  int phalanx{-1}, sample{-1};                     ///< of `force` and `torque`: -1 stands for all
+  Eigen::Vector3d point{Eigen::Vector3d::Zero()};  ///< in W [m]
 };
 
 /// How far a measured value may lie from the truth, and why.
@@ -80,6 +86,7 @@ struct Run {
   std::function<Scene()> scene{};  ///< built on demand: voxelizing takes a moment
   std::vector<Expectation> expectations{};
   std::optional<Curve> curve{};
+  std::string not_realtime{};  ///< why the real-time engine is not asked for this run; empty: it is
 };
 
 /// One analytic benchmark of the catalogue.

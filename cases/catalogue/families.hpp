@@ -6,12 +6,38 @@ namespace handhold::catalogue {
 
 // One function a case; ids as in the catalogue (docs/cases.md).
 
-[[nodiscard]] Case incline_case();        // C01
-[[nodiscard]] Case stopping_case();       // C03
-[[nodiscard]] Case pinch_case();          // D01
-[[nodiscard]] Case pinch_opening_case();  // D02
-[[nodiscard]] Case palm_lift_case();      // D13
-[[nodiscard]] Case spin_down_case();      // F01
+[[nodiscard]] Case projectile_case();           // A01
+[[nodiscard]] Case incline_case();              // C01
+[[nodiscard]] Case incline_flick_case();        // C02
+[[nodiscard]] Case stopping_case();             // C03
+[[nodiscard]] Case load_ramp_case();            // C04
+[[nodiscard]] Case harmonic_force_case();       // C05
+[[nodiscard]] Case friction_oscillator_case();  // C06
+[[nodiscard]] Case forced_oscillator_case();    // C07
+[[nodiscard]] Case belt_case();                 // C08
+[[nodiscard]] Case oscillating_palm_case();     // C09
+[[nodiscard]] Case pinch_case();                // D01
+[[nodiscard]] Case pinch_opening_case();        // D02
+[[nodiscard]] Case catch_case();                // D03
+[[nodiscard]] Case shaken_pinch_case();         // D04
+[[nodiscard]] Case sideways_pinch_case();       // D06
+[[nodiscard]] Case palm_lift_case();            // D13
+[[nodiscard]] Case spin_down_case();            // F01
+[[nodiscard]] Case eccentric_load_case();       // F02
+[[nodiscard]] Case pivot_case();                // F03
+[[nodiscard]] Case sliding_spin_case();         // F04
+[[nodiscard]] Case drag_step_case();            // G01
+[[nodiscard]] Case sudden_release_case();       // G02
+[[nodiscard]] Case jenkins_loop_case();         // G03
+[[nodiscard]] Case moving_catch_case();         // G04
+[[nodiscard]] Case handover_case();             // G05
+[[nodiscard]] Case ratchet_case();              // G06
+[[nodiscard]] Case tray_case();                 // G07
+[[nodiscard]] Case twist_case();                // G08
+[[nodiscard]] Case spin_stop_case();            // G09
+[[nodiscard]] Case held_cube_case();            // G10
+[[nodiscard]] Case normal_shake_case();         // G11
+[[nodiscard]] Case chatter_case();              // G12
 
 // Limits shared by the cases.
 
@@ -31,5 +57,9 @@ namespace handhold::catalogue {
 /// Bias of a semi-implicit Euler step after a phase of acceleration that changed the object's speed by `change`: ½
 /// change h (catalogue case R03: exact), with 2 % for the onset's own step.
 [[nodiscard]] Limit euler_bias_limit(double change);
+
+/// An undamped oscillation of `amplitude` and `frequency`, t after it began: a fully implicit step (1 + iωh)^(−1) damps
+/// it by ω² h/2 a second and slows it by (ωh)²/3, the latter taken at the sub-step 1/360 s.
+[[nodiscard]] Limit implicit_ring_limit(double amplitude, double frequency, double t);
 
 }  // namespace handhold::catalogue

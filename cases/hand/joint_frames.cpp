@@ -11,6 +11,9 @@
 namespace handhold {
 namespace {
 
+/// Of a finger's bone in arrays of phalanges (hand_model.hpp).
+std::size_t phalanx_index(int finger, int bone) { return 3 * std::size_t(finger) + std::size_t(bone); }
+
 constexpr double least_length = 1e-6;  // shorter bones have no direction [m]
 
 double median(std::vector<double> values) {
@@ -88,7 +91,7 @@ HandModel measure(const std::vector<std::optional<HandJoints>>& frames, TipPlace
   HandModel model = anatomical_hand(scale);
   for (int finger = 0; finger < 5; ++finger) {
     for (int bone = 0; bone < 3; ++bone) {
-      const auto i = static_cast<std::size_t>(3 * finger + bone);
+      const auto i = phalanx_index(finger, bone);
       const auto from = static_cast<std::size_t>(joint_of(finger, bone));
       const double given = median_of(
           frames, [from](const HandJoints& j) { return (j.joints[from].radius + j.joints[from + 1].radius) / 2; });
@@ -141,7 +144,7 @@ HandSample sample_of(Side side, const HandJoints& joints, const HandModel& model
   for (int finger = 0; finger < 5; ++finger) {
     Eigen::Vector3d z = X_WPalm.R * Eigen::Vector3d::UnitZ();
     for (int bone = 0; bone < 3; ++bone) {
-      const auto i = static_cast<std::size_t>(3 * finger + bone);
+      const auto i = phalanx_index(finger, bone);
       sample.X_WP[i] = bone_pose(joints, finger, bone, model.capsules[i], X_WPalm.R, side, z);
     }
   }
@@ -183,7 +186,7 @@ std::array<double, 15> bone_lengths(const HandJoints& joints) {
   for (int finger = 0; finger < 5; ++finger) {
     for (int bone = 0; bone < 3; ++bone) {
       const int from = joint_of(finger, bone);
-      lengths[static_cast<std::size_t>(3 * finger + bone)] = (joints.p(from + 1) - joints.p(from)).norm();
+      lengths[phalanx_index(finger, bone)] = (joints.p(from + 1) - joints.p(from)).norm();
     }
   }
   return lengths;

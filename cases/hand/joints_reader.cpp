@@ -88,7 +88,7 @@ void read_hands(const json& hands, const Format& format, const std::string& wher
     }
     if (!hand.is_object()) continue;
     assembler.add_hand(side == "left" ? Side::left : Side::right,
-                       read_hand(hand, format, where + ", " + side + " hand"));
+                       read_hand(hand, format, fmt::format("{}, {} hand", where, side)));
   }
 }
 

@@ -37,7 +37,7 @@ struct Distance {
   [[nodiscard]] std::optional<SurfacePoint> search(const Eigen::Vector3d& p_O) const {
     const double diagonal = field.bounds().diagonal().norm() + field.band();
     for (double reach = 2 * field.band();; reach *= 2) {
-      const std::optional<SurfacePoint> surface = field.closest(p_O, reach);
+      std::optional<SurfacePoint> surface = field.closest(p_O, reach);
       if (surface || reach > diagonal) return surface;
     }
   }

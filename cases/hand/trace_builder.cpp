@@ -1,5 +1,6 @@
 #include "cases/hand/trace_builder.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -16,11 +17,11 @@ Trace sample_trace(const std::string& name, Side side, const HandModel& model, c
                     "(give a stretch of time to sample)",
                     name, begin, end, rate));
   }
-  const double intervals = std::max(1.0, std::round((end - begin) * rate));
+  const long intervals = std::max(1L, std::lround((end - begin) * rate));
   Trace trace{name, "built, m, z up, right-handed", {}, {{side, model, {}}}, {}};
-  for (double i = 0; i <= intervals; ++i) {
+  for (long i = 0; i <= intervals; ++i) {
     // Not begin + i / rate: both ends are hit exactly, and no rounding adds up.
-    const double t = begin + (end - begin) * (i / intervals);
+    const double t = begin + (end - begin) * (double(i) / double(intervals));
     trace.t.push_back(t);
     trace.hands[0].samples.push_back({poses(t), 1.0, true});
   }

@@ -45,6 +45,7 @@ const Material& material(std::string_view name) {
   const auto found = std::find_if(table.begin(), table.end(), [&](const Material& m) { return m.name == name; });
   if (found != table.end()) return *found;
   std::vector<std::string> names;
+  names.reserve(table.size());
   for (const Material& m : table) names.emplace_back(m.name);
   throw InputError(fmt::format("material '{}': no such material (take one of {})", name, join_names(names)));
 }

@@ -170,7 +170,7 @@ TEST(Suite, NamesTheCasesWhenAskedForAnUnknownOne) {
     (void)run_suite(Oracle(1), Oracle(1), {.ids = {"Z99"}});
     FAIL() << "accepted";
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("C01, C03, D01, D02, D13, F01"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("there are A01, "), std::string::npos) << error.what();
   }
 }
 

@@ -36,6 +36,36 @@ TEST(Free, FallsAndTurns) {
   EXPECT_TRUE(r.events.empty());
 }
 
+// A load F sin(w t) at the centre of mass, and a torque T cos(w t): m x'' = F sin(w t), I phi'' = T cos(w t), from
+// rest.
+TEST(Free, FollowsItsLoad) {
+  const double F = 0.3, T = 1e-4, w = 20, duration = 0.3;
+  Scene scene = cube_scene(duration);
+  scene.bodies[0].inertia.center = {0.01, 0, 0};  // the force must not turn it
+  scene.bodies[0].load = [=](double t) { return Load{{F * std::sin(w * t), 0, 0}, {0, 0, T * std::cos(w * t)}}; };
+  const Recording r = simulate(scene, {});
+  ASSERT_EQ(r.outcome, Outcome::complete) << r.note;
+  const double m = 0.2, I = scene.bodies[0].inertia.about_center(2, 2);
+  const double angle = T / I * (1 - std::cos(w * duration)) / (w * w);
+  const double x = 0.01 + F / m * (duration / w - std::sin(w * duration) / (w * w));
+  const Vector3d origin = Vector3d(x, 0, 0) - 0.01 * Vector3d(std::cos(angle), std::sin(angle), 0);
+  EXPECT_LT((last_pose(r).p - origin).norm(), 1e-9);  // as FallsAndTurns
+  EXPECT_NEAR(2 * std::atan2(last_pose(r).R.z(), last_pose(r).R.w()), angle, 1e-9);
+  const double speed = F / m * (1 - std::cos(w * duration)) / w, spin = T / I * std::sin(w * duration) / w;
+  EXPECT_NEAR(r.frames.back().energy.hand_work, 0.5 * m * speed * speed + 0.5 * I * spin * spin, 1e-9);
+  EXPECT_LT(energy_residual(r), 1e-9);
+}
+
+// Carried through oil, v = F τ / m after the start has died away, e^(−t / τ).
+TEST(Free, FollowsItsLoadThroughOil) {
+  Scene scene = cube_scene(0.3);
+  scene.bodies[0].held_until = 1;
+  scene.bodies[0].load = [](double) { return Load{{0.04, 0, 0}, {0, 0, 0}}; };
+  const Recording r = simulate(scene, {});
+  EXPECT_NEAR(last_twist(r).v.x(), 0.04 * support_time / 0.2, 1e-11);
+  EXPECT_LT(energy_residual(r), 1e-9);
+}
+
 TEST(Palm, HoldsABlockStill) {
   const Recording r = simulate(palm_scene(1), {});
   ASSERT_EQ(r.outcome, Outcome::complete) << r.note;

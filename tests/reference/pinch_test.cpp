@@ -124,6 +124,27 @@ TEST(Ring, KeepsTheEnergyBookWithDamping) {
     EXPECT_GE(r.frames[i].energy.dissipated, r.frames[i - 1].energy.dissipated - 1e-12);
 }
 
+// An object and a hand that turn together are at rest against each other: no damper works, though the anchors, 2 mm
+// from the samples, have another velocity than these.
+TEST(Ring, FeelsNoDamperWhenHandAndObjectTurnTogether) {
+  const double spin = 3, depth = 0.002;
+  Scene scene = cube_scene(0.2);
+  scene.contact = {400, 2};
+  scene.bodies[0].V_WO.w = {spin, 0, 0};
+  for (const double side : {-1.0, 1.0}) {
+    Patch patch;
+    for (const Vector3d& p : ring_z(0.006, 8)) patch.points.push_back(p + Vector3d(0, 0, side * (half_edge - depth)));
+    patch.pose = [=](double t) { return Pose{Quaterniond(Eigen::AngleAxisd(spin * t, Vector3d::UnitX())), {0, 0, 0}}; };
+    scene.hands.push_back(hand_with({patch}, 0.3));
+  }
+  const Recording r = simulate(scene, {});
+  ASSERT_EQ(r.outcome, Outcome::complete) << r.note;
+  EXPECT_TRUE(r.events.empty());
+  EXPECT_LT((r.frames.back().bodies[0].V_WO.w - Vector3d(spin, 0, 0)).norm(), 1e-9);
+  EXPECT_LT(r.frames.back().energy.dissipated, 1e-15);  // would be 16 c (w d)² = 1e-3 W at first
+  EXPECT_LT(energy_residual(r), 1e-9);
+}
+
 TEST(Run, HasTheSameBitsTwice) {
   const Scene scene = spin_scene(0.1, 0.006, 3, 0.5);
   const Recording a = simulate(scene, {}), b = simulate(scene, {});
@@ -158,10 +179,6 @@ TEST(Run, RejectsWrongInput) {
   EXPECT_THROW((void)simulate(scene, with(1e-8, 0, 90, 10)), InputError);
   EXPECT_THROW((void)simulate(scene, with(1e-8, 1e-3, -1, 10)), InputError);
   EXPECT_THROW((void)simulate(scene, with(1e-8, 1e-3, 90, 0)), InputError);
-  Scene two = scene;
-  two.bodies.push_back(two.bodies[0]);
-  two.bodies[1].name = "other";
-  EXPECT_THROW((void)simulate(two, {}), InputError);
 }
 
 // A hand that comes late: the palm is there from 0.05 s on and catches the deep block without a jump of its position.

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <functional>
+
+namespace handhold::closed_form {
+
+/// ∫ f from a to b by Gauss and Legendre's rule with 128 nodes: round-off for functions that are analytic well around
+/// the interval.
+[[nodiscard]] double gauss_legendre(const std::function<double(double)>& f, double a, double b);
+
+}  // namespace handhold::closed_form

@@ -1,0 +1,69 @@
+#include "realtime/body_step.hpp"
+
+#include <Eigen/Geometry>
+
+namespace handhold::realtime {
+namespace {
+
+/// What keeps a body of Mobility::translation from turning: no torque does anything to it, to the last bit [kg m²].
+constexpr double no_turning = 1e30;
+
+}  // namespace
+
+BodyStep predict(const RigidBody& body, const Scheme& scheme, const Eigen::Vector3d& gravity, const Load& load,
+                 bool held) {
+  BodyStep s;
+  s.X_WO = body.X_WO;
+  const double reach = scheme.reach();
+  const bool spins = body.turns() && !body.w.isZero(0);
+  const Eigen::Matrix3d R0 = body.X_WO.R.toRotationMatrix();
+  s.R = spins ? (rotation_by(reach * body.w) * body.X_WO.R).toRotationMatrix() : R0;
+  s.arm_O = s.R * body.center_O;
+  s.center = body.X_WO.p + R0 * body.center_O + reach * body.v;
+  if (!body.moves()) return s;
+
+  s.held = held;
+  s.turns = body.turns();
+  s.drag = held ? 1 / support_time : 0;
+  s.load << load.force_W, load.torque_W;
+  if (!body.turns()) s.load.tail<3>().setZero();
+  s.external = s.load;
+  if (!held) s.external.head<3>() += body.mass * gravity;
+  s.u0 << body.v, body.w;
+  s.momentum << body.mass * body.v, R0 * (body.inertia_O * (R0.transpose() * body.w));
+  const double grown = 1 + reach * s.drag;
+  s.mass.topLeftCorner<3, 3>().diagonal().setConstant(grown * body.mass);
+  s.mass.bottomRightCorner<3, 3>() = grown * (s.R * body.inertia_O * s.R.transpose());
+  s.rest = s.momentum + reach * s.external;
+  s.rest.head<3>() -= grown * body.mass * body.v;
+  s.rest.tail<3>() -= s.mass.bottomRightCorner<3, 3>() * body.w;
+  if (s.turns) return s;
+  s.rest.tail<3>().setZero();
+  s.mass.bottomRightCorner<3, 3>() = no_turning * Eigen::Matrix3d::Identity();
+  return s;
+}
+
+Eigen::Vector3d free_change(const RigidBody& body, const BodyStep& step, const Scheme& scheme) {
+  if (!body.moves()) return Eigen::Vector3d::Zero();
+  return scheme.reach() / body.mass * step.external.head<3>();
+}
+
+void move(RigidBody& body, const BodyStep& step, const Scheme& scheme) {
+  if (!body.moves()) return;
+  const Vector6 u = step.velocity();
+  const Eigen::Vector3d center = body.center() + scheme.h * u.head<3>();
+  // The momentum at θ h, without what the drag's factor added.
+  const Matrix6 M = step.mass / (1 + scheme.reach() * step.drag);
+  const Vector6 at_theta = M * u;
+  const Vector6 momentum = scheme.theta == 1 ? at_theta : Vector6(2 * at_theta - step.momentum);
+  body.v = scheme.theta == 1 ? Eigen::Vector3d(u.head<3>()) : Eigen::Vector3d(2 * u.head<3>() - step.u0.head<3>());
+  if (body.turns()) {
+    const Eigen::Vector3d turn = scheme.h * u.tail<3>();
+    if (!turn.isZero(0)) body.X_WO.R = (rotation_by(turn) * body.X_WO.R).normalized();
+    const Eigen::Matrix3d R = body.X_WO.R.toRotationMatrix();
+    body.w = R * (body.inverse_inertia_O * (R.transpose() * momentum.tail<3>()));
+  }
+  body.X_WO.p = center - body.X_WO.R * body.center_O;
+}
+
+}  // namespace handhold::realtime

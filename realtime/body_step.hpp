@@ -1,0 +1,53 @@
+#pragma once
+
+#include "realtime/rigid_body.hpp"
+
+namespace handhold::realtime {
+
+/// Which point of a step the forces are taken at: 1, its end (implicit Euler, first order, swallows what it cannot
+/// resolve), or 1/2, its middle (implicit midpoint, second order, keeps energy).
+struct Scheme {
+  double h{};                                               ///< step [s]
+  double theta{1};                                          ///< 1 or 1/2
+  [[nodiscard]] double reach() const { return theta * h; }  ///< from the start to where forces are taken [s]
+};
+
+/// A body in one step: where it would be if it went on as it does, and its momentum balance about that.
+///
+///     (1 + θ h / τ) M (u0 + δ) = P0 + θ h (F + contact forces(δ))       τ only while a support holds it
+///
+/// with the change δ of velocity as unknown, M at the predicted pose and the momentum P0 (linear, angular about the
+/// centre of mass) at the start. The angular momentum is carried over as it is, so there is no gyroscopic term and a
+/// free body keeps it to the last bit but rounding.
+struct BodyStep {
+  Pose X_WO{};                                      ///< at the start
+  Eigen::Matrix3d R{Eigen::Matrix3d::Identity()};   ///< of O in W, predicted at θ h
+  Eigen::Vector3d center{Eigen::Vector3d::Zero()};  ///< predicted at θ h, in W
+  Eigen::Vector3d arm_O{Eigen::Vector3d::Zero()};   ///< from O's origin to the centre, R center_O
+  Vector6 u0{Vector6::Zero()};                      ///< velocity at the start
+  Vector6 momentum{Vector6::Zero()};                ///< P0
+  Vector6 external{Vector6::Zero()};                ///< F: gravity and load, at θ h [N], [N m]
+  Vector6 load{Vector6::Zero()};                    ///< of it the load
+  Matrix6 mass{Matrix6::Zero()};                    ///< (1 + θ h / τ) M
+  Vector6 rest{Vector6::Zero()};                    ///< P0 + θ h F − mass u0: right side without contacts
+  Vector6 change{Vector6::Zero()};                  ///< δ
+  double drag{};                                    ///< 1 / τ while a support holds the body, else 0
+  bool held{false};
+  bool turns{false};
+
+  [[nodiscard]] Eigen::Vector3d origin() const { return center - arm_O; }
+  [[nodiscard]] Vector6 velocity() const { return u0 + change; }
+};
+
+/// The step of a body under `gravity` [m/s²] and `load` [N], [N m] at θ h. A fixed body is predicted to stay.
+[[nodiscard]] BodyStep predict(const RigidBody& body, const Scheme& scheme, const Eigen::Vector3d& gravity,
+                               const Load& load, bool held);
+
+/// How the velocity would change without contacts: what a resting body would do if nothing held it.
+[[nodiscard]] Eigen::Vector3d free_change(const RigidBody& body, const BodyStep& step, const Scheme& scheme);
+
+/// Moves the body by u0 + δ held for h (x += h v, R = exp(h ω) R: exact for constant spin), and gives it the momentum
+/// P0 + (P_θ − P0) / θ.
+void move(RigidBody& body, const BodyStep& step, const Scheme& scheme);
+
+}  // namespace handhold::realtime

@@ -1,0 +1,249 @@
+#include <algorithm>
+#include <limits>
+
+#include "realtime/world.hpp"
+
+// Which samples can touch in a step: patches of phalanges and of pairs of bodies come and go here.
+
+namespace handhold::realtime {
+namespace {
+
+constexpr double touching = 1e-6;  // samples this near are looked at, whatever the motion [m]
+
+Box nowhere() {
+  constexpr double far = std::numeric_limits<double>::max();
+  return {Eigen::Vector3d::Constant(far), Eigen::Vector3d::Constant(-far)};
+}
+
+Box box_about(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& half) {
+  return {a.cwiseMin(b) - half, a.cwiseMax(b) + half};
+}
+
+}  // namespace
+
+std::vector<Eigen::Vector3d> outward_of(const Body& body) {
+  std::vector<Eigen::Vector3d> outward;
+  for (const Eigen::Vector3d& p : body.samples_O) {
+    const std::optional<SurfacePoint> surface = body.field->closest(p, body.field->band());
+    const Eigen::Vector3d away = p - body.inertia.center;
+    outward.push_back(surface ? surface->n_O : Eigen::Vector3d(away.normalized()));
+  }
+  return outward;
+}
+
+/// Updates the patches for a step of `h`; 0: as things stand.
+void World::detect(double h) {
+  ++step_;
+  for (const int i : active_patches_) {
+    PatchSlot& p = patch(i);
+    watched_[std::size_t(i)] = 0;
+    if (p.of_body() || p.given || !p.active || contacts_.touches(p)) continue;
+    const BodyStep& body = steps_[std::size_t(p.body)];
+    const Pose X_OW = Pose{Eigen::Quaterniond(body.R), body.origin()}.inverse();
+    const Pose X_OP = X_OW * next_[std::size_t(p.hand)].X_WP[std::size_t(p.phalanx)];
+    if (proximity_[std::size_t(i)].leaves(*source(p.body).field, X_OP, 2 * scene_.patch.contact_offset)) drop(p);
+  }
+  sweep(h);
+  for (const int i : candidates_) watch_hand(i, h);
+  const auto bodies = std::uint32_t(bodies_.size());
+  for (const std::uint32_t pair : body_candidates_) watch_pair(by_rank_[pair / bodies], by_rank_[pair % bodies], h);
+  for (const int i : active_patches_) {
+    const PatchSlot& p = patch(i);
+    if (p.active && p.of_body() && !watched_[std::size_t(i)] && !contacts_.touches(p)) pairs_.give_back(i, contacts_);
+  }
+  std::sort(active_patches_.begin(), active_patches_.end());
+  active_patches_.erase(std::unique(active_patches_.begin(), active_patches_.end()), active_patches_.end());
+  std::erase_if(active_patches_, [&](int i) { return !patch(i).active; });
+}
+
+/// Finds the patches of phalanges, and the pairs of bodies, that may come near in this step.
+void World::sweep(double h) {
+  candidates_.clear();
+  body_candidates_.clear();
+  const int bodies = int(bodies_.size());
+  const auto offer = [&](int phalanx, int body) {
+    const int first = patches_from_[std::size_t(phalanx)];
+    if (first < 0) return;
+    const PatchSlot& p = patch(first + body);
+    if (!p.active && !is_far(p, proximity_[std::size_t(first + body)].reach(), h)) candidates_.push_back(first + body);
+  };
+  const int phalanges = int(patches_from_.size());
+  if (bodies == 1) {
+    for (int i = 0; i < phalanges; ++i)
+      if (next_[std::size_t(i / phalanx_count)].present) offer(i, 0);
+    return;
+  }
+  for (int i = 0; i < bodies; ++i) {
+    const RigidBody& body = bodies_[std::size_t(i)];
+    const BodyStep& s = steps_[std::size_t(i)];
+    const Eigen::AlignedBox3d bounds = source(i).field->bounds();
+    const Eigen::Vector3d half = s.R.cwiseAbs() * (0.5 * bounds.sizes());
+    const double turn = h * body.w.norm() * body.radius + touching;
+    const Eigen::Vector3d end = s.origin() + s.R * bounds.center() + h * free_change(body, s, {.h = h});
+    broad_phase_.box(std::size_t(i)) =
+        box_about(body.X_WO * bounds.center(), end, half + Eigen::Vector3d::Constant(turn));
+  }
+  for (int i = 0; i < phalanges; ++i) {
+    Box& box = broad_phase_.box(std::size_t(bodies + i));
+    const int first = patches_from_[std::size_t(i)];
+    const HandFrame& hand = next_[std::size_t(i / phalanx_count)];
+    if (first < 0 || !hand.present) {
+      box = nowhere();
+      continue;
+    }
+    const double reach = proximity_[std::size_t(first)].reach() + scene_.patch.contact_offset;
+    box = box_about(start_pose(patch(first)).p, hand.X_WP[std::size_t(i % phalanx_count)].p,
+                    Eigen::Vector3d::Constant(reach));
+  }
+  broad_phase_.visit([&](int i, int j) {
+    if (i >= bodies) return;
+    if (j >= bodies) return offer(j - bodies, i);
+    if (!bodies_[std::size_t(i)].moves() && !bodies_[std::size_t(j)].moves()) return;
+    const auto [low, high] = std::minmax(rank_[std::size_t(i)], rank_[std::size_t(j)]);
+    body_candidates_.push_back(std::uint32_t(low) * std::uint32_t(bodies) + std::uint32_t(high));
+  });
+  std::sort(candidates_.begin(), candidates_.end());
+  std::sort(body_candidates_.begin(), body_candidates_.end());
+}
+
+/// A ball around the phalanx stays clear of the body's bounding box.
+bool World::is_far(const PatchSlot& p, double reach, double h) const {
+  const BodyStep& s = steps_[std::size_t(p.body)];
+  const RigidBody& body = bodies_[std::size_t(p.body)];
+  const Eigen::Vector3d& end = next_[std::size_t(p.hand)].X_WP[std::size_t(p.phalanx)].p;
+  const Eigen::Vector3d arm = end - s.center;
+  const double moved = (end - start_pose(p).p).norm() + h * (body.v.norm() + body.w.norm() * arm.norm());
+  const Eigen::Vector3d p_O = s.R.transpose() * arm + body.center_O;
+  return source(p.body).field->bounds().exteriorDistance(p_O) > reach + scene_.patch.contact_offset + moved;
+}
+
+void World::watch_hand(int i, double) {
+  PatchSlot& p = patch(i);
+  const BodyStep& body = steps_[std::size_t(p.body)];
+  const Pose X_OP = bodies_[std::size_t(p.body)].X_WO.inverse() * start_pose(p);
+  const Pose X_OW = Pose{Eigen::Quaterniond(body.R), body.origin()}.inverse();
+  const Pose Y_OP = X_OW * next_[std::size_t(p.hand)].X_WP[std::size_t(p.phalanx)];
+  Proximity& proximity = proximity_[std::size_t(i)];
+  const VoxelField& field = *source(p.body).field;
+  if (const std::optional<Pose> at = proximity.approach(field, X_OP, Y_OP, scene_.patch.contact_offset)) {
+    seed(p, *at, proximity.place());
+    active_patches_.push_back(i);
+  }
+}
+
+void World::seed(PatchSlot& p, const Pose& X_OP, const Nearest& nearest) {
+  const Patch points = seed_patch(p.phalanx, X_OP, nearest, scene_.patch);
+  p.active = true;
+  for (int i = 0; i < p.count; ++i) {
+    contacts_.p_P.set(p.slot(i), points.p_P[std::size_t(i)]);
+    contacts_.mode[p.slot(i)] = Mode::apart;
+    contacts_.f_W.set(p.slot(i), Eigen::Vector3d::Zero());
+  }
+}
+
+void World::drop(PatchSlot& p) {
+  p.active = false;
+  for (int i = 0; i < p.count; ++i) contacts_.mode[p.slot(i)] = Mode::apart;
+}
+
+/// A pair of bodies whose boxes meet.
+void World::watch_pair(int a, int b, double h) {
+  const RigidBody &A = bodies_[std::size_t(a)], &B = bodies_[std::size_t(b)];
+  // As fast as at the end of the last step if it changes as it did then: what rests goes on resting.
+  const Eigen::Vector3d v_A = A.v + changed_[std::size_t(a)], v_B = B.v + changed_[std::size_t(b)];
+  // A distance changes by no more than the bodies' points there move against each other; the part of a body's turning
+  // that moves a point along the line to its nearest point is that of its own surface, within its radius.
+  const double coming = h * ((v_A - v_B).norm() + A.w.norm() * A.radius + B.w.norm() * B.radius) + touching;
+  const double gone = (moved_[std::size_t(a)] - moved_[std::size_t(b)]).norm() + turned_[std::size_t(a)] * A.radius +
+                      turned_[std::size_t(b)] * B.radius;
+  double clearance = pairs_.clearance(a, b, step_) - gone;
+  if (clearance <= coming) {
+    clearance = std::numeric_limits<double>::max();
+    watch_samples(a, b, coming, clearance);
+    watch_samples(b, a, coming, clearance);
+    clearance = std::max(clearance, 0.0);
+  }
+  pairs_.set_clearance(a, b, step_, clearance);
+}
+
+/// Marks the free samples of `from` that can reach `target` when both come nearer by `coming`; `clearance` falls to the
+/// distance of the nearest free one.
+void World::watch_samples(int target, int from, double coming, double& clearance) {
+  const std::vector<Eigen::Vector3d>& points = source(from).samples_O;
+  if (points.empty()) return;
+  const VoxelField& field = *source(target).field;
+  const Pose X_TS = bodies_[std::size_t(target)].X_WO.inverse() * bodies_[std::size_t(from)].X_WO;
+  const Eigen::Matrix3d R = X_TS.R.toRotationMatrix();
+  const double interpolation = 0.5 * field.grid().spacing;  // more than the interpolated distance can be wrong
+  int taken = pairs_.patch(target, from);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (taken >= 0) {
+      const std::size_t slot = patch(taken).slot(int(i));
+      near_[slot] = 0;
+      if (contacts_.mode[slot] != Mode::apart) continue;
+    }
+    const Eigen::Vector3d p = R * points[i] + X_TS.p;
+    double distance = field.distance(p).distance - interpolation;
+    if (distance <= coming) {
+      const double within = coming + 2 * interpolation;
+      const std::optional<SurfacePoint> surface = field.closest(p, within);
+      if (surface)
+        distance = surface->distance;
+      else if (distance > 0 || field.distance(p).distance > 0)
+        distance = within;
+    }
+    clearance = std::min(clearance, distance);
+    if (distance > coming) continue;
+    if (taken < 0) {
+      taken = take_pair(target, from);
+    }
+    near_[patch(taken).slot(int(i))] = 1;
+    watched_[std::size_t(taken)] = 1;
+  }
+}
+
+int World::take_pair(int target, int from) {
+  if (pairs_.exhausted()) {
+    const std::size_t before = contacts_.patches.size();
+    grow_pool(scene_, contacts_);
+    pairs_.add_free(contacts_, before);
+    resize_for_slots();
+  }
+  const int taken = pairs_.take(scene_, target, from, contacts_);
+  for (int i = 0; i < patch(taken).count; ++i) near_[patch(taken).slot(i)] = 0;
+  active_patches_.push_back(taken);
+  return taken;
+}
+
+int World::root(int body) {
+  while (parent_[std::size_t(body)] != body) body = parent_[std::size_t(body)];
+  return body;
+}
+
+/// Bodies that move and touch are one island, named by its lowest rank; everything in it is sorted by rank.
+void World::find_islands() {
+  for (std::size_t r = 0; r < parent_.size(); ++r) parent_[r] = int(r);
+  const auto moves = [&](int body) { return bodies_[std::size_t(body)].moves(); };
+  for (const int i : active_patches_) {
+    const PatchSlot& p = patch(i);
+    if (!p.of_body() || !moves(p.body) || !moves(p.phalanx)) continue;
+    const int a = root(rank_[std::size_t(p.body)]), b = root(rank_[std::size_t(p.phalanx)]);
+    parent_[std::size_t(std::max(a, b))] = std::min(a, b);
+  }
+  members_.clear();
+  for (int r = 0; r < int(parent_.size()); ++r) members_.emplace_back(root(r), r);
+  std::sort(members_.begin(), members_.end());
+  active_.clear();
+  for (const int i : active_patches_) {
+    const PatchSlot& p = patch(i);
+    const int target = rank_[std::size_t(p.body)];
+    const int second = p.of_body() ? rank_[std::size_t(p.phalanx)] : p.phalanx;
+    const int at = p.of_body() && !moves(p.body) ? second : target;
+    active_.push_back({root(at), std::uint32_t(target) << 16 | std::uint32_t(p.hand) << 8 | std::uint32_t(second), i});
+  }
+  std::sort(active_.begin(), active_.end(), [](const Active& a, const Active& b) {
+    return a.island != b.island ? a.island < b.island : a.key < b.key;
+  });
+}
+
+}  // namespace handhold::realtime

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <vector>
+
+#include "cases/scene/scene.hpp"
+
+namespace handhold::reference {
+
+/// The times within a scene at which hands come and go and supports let go, ascending [s].
+[[nodiscard]] std::vector<double> breaks_of(const Scene& scene);
+
+}  // namespace handhold::reference

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "reference/rigid/rigid.hpp"
+
+namespace handhold::reference::rigid::simbody {
+
+/// The border to Simbody: rigid::simulate after all input has been validated (Simbody aborts on some bad input).
+[[nodiscard]] Trajectory simulate(const Problem& problem, const Options& options);
+
+}  // namespace handhold::reference::rigid::simbody

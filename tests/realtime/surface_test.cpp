@@ -1,0 +1,116 @@
+#include "realtime/surface.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "cases/geometry/shapes.hpp"
+#include "cases/geometry/voxelizer.hpp"
+
+namespace handhold::realtime {
+namespace {
+
+using Eigen::Vector3d;
+
+const auto box = voxelize(make_box({0.06, 0.04, 0.02}), {.voxel_size = 0.001});
+const auto wall = voxelize(make_box({0.06, 0.06, 0.002}), {.voxel_size = 0.0005});
+const auto ball = voxelize(make_sphere(0.03, 5), {.voxel_size = 0.001});
+
+/// Definition: six more queries. A central difference of the interpolant is the interpolant of central differences, so
+/// only rounding of floats' sums may differ: 1e-16 of a distance of 4 mm over 2 mm.
+TEST(SmoothDistance, IsTheCentralDifferenceOfTheInterpolatedDistance) {
+  const double h = ball->grid().spacing;
+  for (const Vector3d& p : {Vector3d(0.029, 0.003, 0.004), Vector3d(-0.01, 0.02, -0.0213), Vector3d(0, 0, 0.0301)}) {
+    const SmoothDistance s = smooth_distance(*ball, p);
+    EXPECT_NEAR(s.distance, ball->distance(p).distance, 1e-15);
+    for (int i = 0; i < 3; ++i) {
+      const Vector3d step = h * Vector3d::Unit(i);
+      const double slope = (ball->distance(p + step).distance - ball->distance(p - step).distance) / (2 * h);
+      EXPECT_NEAR(s.gradient[i], slope, 1e-12) << i;
+    }
+  }
+}
+
+TEST(SmoothDistance, WorksOffTheGrid) {
+  const SmoothDistance s = smooth_distance(*box, {1, 0, 0});
+  EXPECT_GT(s.distance, 0.9);
+  EXPECT_NEAR(s.gradient.x(), 1, 1e-9);
+}
+
+TEST(Foot, LiesBelowAPointOutsideAFace) {
+  Anchor anchor;
+  ASSERT_TRUE(foot(*box, {0.01, 0.005, 0.012}, anchor));
+  // Distances are floats: 4 mm with 24 bits is 2e-10.
+  EXPECT_LT((anchor.C_O - Vector3d(0.01, 0.005, 0.01)).norm(), 1e-9);
+  EXPECT_LT((anchor.n_O - Vector3d::UnitZ()).norm(), 1e-6);
+}
+
+TEST(Foot, IsTheExactNearestPointHoweverDeepInside) {
+  Anchor anchor;  // 10 mm deep, the band ends at 12
+  ASSERT_TRUE(foot(*ball, {0, 0.002, 0}, anchor));
+  EXPECT_NEAR(anchor.C_O.norm(), 0.03, 1e-4);  // facets of 1.5 mm: sagitta 1e-5; voxels' second order
+  const auto big = voxelize(make_box({0.2, 0.2, 0.2}), {.voxel_size = 0.002, .band = 0.008});
+  ASSERT_TRUE(foot(*big, {0.02, -0.04, 0.01}, anchor));  // 60 mm deep: seven bands
+  EXPECT_LT((anchor.C_O - Vector3d(0.02, -0.1, 0.01)).norm(), 1e-9);
+  EXPECT_LT((anchor.n_O + Vector3d::UnitY()).norm(), 1e-6);
+}
+
+TEST(Foot, LeavesTheAnchorAloneWhereThereIsNone) {
+  Anchor anchor{{1, 2, 3}, {4, 5, 6}};
+  EXPECT_FALSE(foot(*box, {0.5, 0, 0}, anchor));
+  EXPECT_EQ(anchor.C_O, Vector3d(1, 2, 3));
+}
+
+TEST(FindTouch, TakesTheFirstSheetOfAThinWall) {
+  for (const TouchNormal normal : {TouchNormal::smooth, TouchNormal::face}) {
+    Anchor anchor;
+    ASSERT_TRUE(find_touch(*wall, {0.001, 0.002, 0.04}, {0.001, 0.002, -0.05}, normal, anchor));
+    EXPECT_LT((anchor.C_O - Vector3d(0.001, 0.002, 0.001)).norm(), 1e-9);  // floats, as above
+    EXPECT_LT((anchor.n_O - Vector3d::UnitZ()).norm(), 1e-6);
+  }
+}
+
+TEST(FindTouch, IsTheNearestPointForOneThatWasInside) {
+  Anchor anchor;
+  ASSERT_TRUE(find_touch(*box, {0, 0, 0.008}, {0, 0, 0.0081}, TouchNormal::face, anchor));
+  EXPECT_LT((anchor.C_O - Vector3d(0, 0, 0.01)).norm(), 1e-15);
+}
+
+TEST(FindTouch, FindsNothingOnTheWayOutOrPast) {
+  Anchor anchor;
+  EXPECT_FALSE(find_touch(*box, {0, 0, 0.008}, {0, 0, 0.02}, TouchNormal::face, anchor));
+  EXPECT_FALSE(find_touch(*box, {-0.1, 0, 0.011}, {0.1, 0, 0.011}, TouchNormal::face, anchor));
+  EXPECT_FALSE(find_touch(*box, {0, 0, 0.02}, {0, 0, std::nan("")}, TouchNormal::face, anchor));
+}
+
+/// An arc of 0.5 rad on a ball: C stays on it, n stays radial.
+TEST(Slide, FollowsACurvedSurface) {
+  Anchor anchor;
+  ASSERT_TRUE(foot(*ball, {0, 0, 0.0305}, anchor));
+  for (int i = 0; i < 50; ++i) {
+    const Vector3d along = Vector3d::UnitY().cross(anchor.n_O);
+    slide(*ball, 0.0003 * along, anchor);
+  }
+  EXPECT_NEAR(std::atan2(anchor.C_O.x(), anchor.C_O.z()), 0.5, 0.005);
+  EXPECT_NEAR(anchor.C_O.norm(), 0.03, 5e-5);                   // facets and voxels' second order h²/R = 3e-5
+  EXPECT_LT(anchor.n_O.cross(anchor.C_O).norm() / 0.03, 0.02);  // 1 degree
+}
+
+/// Over an edge, 2 mm before its end and 20 mm long: down the side face, never off the surface nor through the box.
+TEST(Slide, TurnsOverAnEdge) {
+  Anchor anchor;
+  ASSERT_TRUE(foot(*box, {0.028, 0, 0.0105}, anchor));
+  slide(*box, {0.02, 0, 0}, anchor);
+  EXPECT_LT(std::abs(box->distance(anchor.C_O).distance), 1e-4);  // a tenth of a voxel
+  EXPECT_LT(anchor.C_O.z(), 0.01);
+  EXPECT_GT(anchor.n_O.x(), 0.9);
+}
+
+TEST(Slide, IgnoresAStepThatIsNotFinite) {
+  Anchor anchor{{0, 0, 0.01}, {0, 0, 1}};
+  slide(*box, {std::nan(""), 0, 0}, anchor);
+  EXPECT_EQ(anchor.C_O, Vector3d(0, 0, 0.01));
+}
+
+}  // namespace
+}  // namespace handhold::realtime

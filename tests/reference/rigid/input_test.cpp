@@ -1,0 +1,136 @@
+// What cannot be simulated is refused with a reason, or recorded as such; the same run gives the same bits.
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "cases/error.hpp"
+#include "tests/reference/rigid/problems.hpp"
+
+namespace handhold::reference::rigid::testing {
+namespace {
+
+void expect_refusal(const std::function<void(Problem&)>& spoil, const std::string& word) {
+  Problem p = block(0.2, {0.5, 0.4}, 0.1);
+  spoil(p);
+  try {
+    (void)simulate(p);
+    ADD_FAILURE() << "no refusal: " << word;
+  } catch (const InputError& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find(word), std::string::npos) << text;
+    EXPECT_EQ(text.find('\n'), std::string::npos) << text;
+  }
+}
+
+TEST(RigidInput, IsRefusedWithAReason) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  expect_refusal([](Problem& p) { p.mass = -1; }, "mass");
+  expect_refusal([&](Problem& p) { p.mass = nan; }, "mass");
+  expect_refusal([](Problem& p) { p.inertia = Eigen::Vector3d(1, 1, 3).asDiagonal(); }, "inertia");
+  expect_refusal([&](Problem& p) { p.inertia(0, 0) = nan; }, "inertia");
+  expect_refusal([](Problem& p) { p.mobility = Mobility::fixed; }, "mobility");
+  expect_refusal([](Problem& p) { p.X_WB.R.coeffs().setZero(); }, "quaternion");
+  expect_refusal([](Problem& p) { p.V_WB.w.x() = 1; }, "translating");
+  expect_refusal([&](Problem& p) { p.gravity.x() = nan; }, "gravity");
+  expect_refusal([](Problem& p) { p.duration = 0; }, "duration");
+  expect_refusal([](Problem& p) { p.supports.resize(6, p.supports[0]); }, "6 supports");
+  expect_refusal([](Problem& p) { p.supports[0].friction = {0.3, 0.4}; }, "mu");
+  expect_refusal([](Problem& p) { p.supports[0].surface.direction.setZero(); }, "direction");
+  expect_refusal([](Problem& p) { p.supports[0].surface = make_sphere({0, 0, 0}, 0); }, "radius 0");
+  expect_refusal([](Problem& p) { p.supports[0].radius = -1; }, "radius");
+  expect_refusal([](Problem& p) { p.X_WB.p.z() = -1e-3; }, "starts inside");
+  expect_refusal(
+      [](Problem& p) {
+        p.supports[0].surface = make_sphere({0, 0, 0}, 1, true);
+        p.supports[0].radius = 2;
+      },
+      "wider");
+  expect_refusal(
+      [](Problem& p) {
+        p.supports[0].surface = make_sphere({0, 0, -1}, 1);
+        p.supports[0].normal_force = [](double) { return 1.0; };
+      },
+      "only planes");
+  expect_refusal(
+      [](Problem& p) {
+        p.mobility = Mobility::free;
+        p.supports[0].normal_force = [](double) { return 1.0; };
+      },
+      "rotates");
+  expect_refusal(
+      [](Problem& p) {
+        p.supports[0].motion = [](double t) { return PathPoint{{std::sin(t), 0, 0}, {0, 0, 0}, {0, 0, 0}}; };
+      },
+      "derivatives");
+  expect_refusal([](Problem& p) { p.springs = {{-1, {0, 0, 0}, {0, 0, 0}, {}}}; }, "stiffness");
+  expect_refusal([&](Problem& p) { p.load = [=](double, const BodyState&) {
+                                     return Load{{nan, 0, 0}, {0, 0, 0}};
+                                   }; },
+                 "load");
+}
+
+TEST(RigidInput, OptionsAreRefusedWithAReason) {
+  for (const Options& o : {Options{0}, Options{1e-14}, Options{1e-10, 0}, Options{1e-10, 1e-3, -1},
+                           Options{1e-10, 1e-3, 100, 0}, Options{1e-10, 1e-3, 1e12}})
+    EXPECT_THROW((void)simulate(block(0.2, {0.5, 0.4}, 0.1), o), InputError);
+}
+
+TEST(RigidOutcome, SaysWhatStalledARun) {
+  Problem p = block(0.2, {0.5, 0.4}, 0.1);
+  p.load = [](double t, const BodyState&) { return Load{{t > 0.05 ? std::nan("") : 0, 0, 0}, {0, 0, 0}}; };
+  Trajectory t = simulate(p);
+  EXPECT_EQ(t.outcome, Outcome::stalled);
+  EXPECT_NE(t.note.find("not finite"), std::string::npos) << t.note;
+
+  p = block(0.2, {0.5, 0.4}, 0.3);  // slides on the floor into a wall
+  p.V_WB.v = x_axis;
+  Support wall = p.supports[0];
+  wall.surface = make_plane(0.05 * x_axis, -x_axis);
+  p.supports.push_back(wall);
+  t = simulate(p);
+  EXPECT_EQ(t.outcome, Outcome::stalled);
+  EXPECT_NE(t.note.find("impact"), std::string::npos) << t.note;
+  EXPECT_NEAR(t.frames.back().t, 0.05, 0.01);
+
+  t = simulate(block(0.2, {0.5, 0.4}, 1), {1e-10, 1e-3, 100, 10});
+  EXPECT_EQ(t.outcome, Outcome::stalled);
+  EXPECT_NE(t.note.find("step limit of 10"), std::string::npos) << t.note;
+}
+
+TEST(RigidRuns, GiveTheSameBitsAgain) {
+  Problem p = ball(0.3, 0.04, 0.4, 0.3, 0.4);
+  p.V_WB = {{3, -20, 5}, {1.5, 0.4, 0}};
+  const Trajectory a = simulate(p), b = simulate(p);
+  ASSERT_EQ(a.frames.size(), b.frames.size());
+  EXPECT_EQ(a.steps, b.steps);
+  for (std::size_t i = 0; i < a.frames.size(); ++i) {
+    EXPECT_EQ(a.frames[i].body.X_WO.p, b.frames[i].body.X_WO.p);
+    EXPECT_EQ(a.frames[i].body.X_WO.R.coeffs(), b.frames[i].body.X_WO.R.coeffs());
+    EXPECT_EQ(a.frames[i].energy.dissipated, b.frames[i].energy.dissipated);
+  }
+}
+
+/// Landing askew: a plastic impact under friction. By hand: the normal impulse m v_z, friction at most μ of it.
+TEST(RigidImpacts, ObeyTheConeOfImpulses) {
+  for (const double across : {0.3, 3.0}) {  // within the cone it stays; beyond it slides on at μ_d v_z less
+    Problem p = block(0.2, {0.5, 0.4}, 0.2);
+    p.X_WB.p.z() = 0.05;
+    p.V_WB.v = across * x_axis;
+    const Trajectory t = simulate(p);
+    ASSERT_FALSE(t.events.empty());
+    const double speed = std::sqrt(2 * g * 0.05);
+    const Event& landing = t.events[0];
+    EXPECT_NEAR(landing.t, speed / g, 1e-12);
+    EXPECT_NEAR(landing.before.V_WO.v.z(), -speed, 1e-11);
+    EXPECT_NEAR(landing.after.V_WO.v.z(), 0, 1e-14);
+    EXPECT_NEAR(landing.after.V_WO.v.x(), across < 0.5 * speed ? 0 : across - 0.4 * speed, 1e-11);
+    EXPECT_EQ(landing.to, across < 0.5 * speed ? Mode::stick : Mode::slip);
+    Worst worst;
+    worst.add_energy(t, 1);
+    EXPECT_LT(worst.value(), 1e-11);  // what the impact takes is in the book
+  }
+}
+
+}  // namespace
+}  // namespace handhold::reference::rigid::testing
