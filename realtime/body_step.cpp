@@ -14,12 +14,14 @@ BodyStep predict(const RigidBody& body, const Scheme& scheme, const Eigen::Vecto
                  bool held) {
   BodyStep s;
   s.X_WO = body.X_WO;
-  const double reach = scheme.reach();
-  const bool spins = body.turns() && !body.w.isZero(0);
+  const double reach = scheme.reach(), place = scheme.place();
+  const bool spins = place > 0 && body.turns() && !body.w.isZero(0);
   const Eigen::Matrix3d R0 = body.X_WO.R.toRotationMatrix();
-  s.R = spins ? (rotation_by(reach * body.w) * body.X_WO.R).toRotationMatrix() : R0;
+  s.R = spins ? (rotation_by(place * body.w) * body.X_WO.R).toRotationMatrix() : R0;
+  if (body.turns() && reach > place && !body.w.isZero(0))
+    s.turn = rotation_by((reach - place) * body.w).toRotationMatrix();
   s.arm_O = s.R * body.center_O;
-  s.center = body.X_WO.p + R0 * body.center_O + reach * body.v;
+  s.center = body.X_WO.p + R0 * body.center_O + place * body.v;
   if (!body.moves()) return s;
 
   s.held = held;

@@ -38,9 +38,7 @@ void World::detect(double h) {
     PatchSlot& p = patch(i);
     watched_[std::size_t(i)] = 0;
     if (p.of_body() || p.given || !p.active || contacts_.touches(p)) continue;
-    const BodyStep& body = steps_[std::size_t(p.body)];
-    const Pose X_OW = Pose{Eigen::Quaterniond(body.R), body.origin()}.inverse();
-    const Pose X_OP = X_OW * next_[std::size_t(p.hand)].X_WP[std::size_t(p.phalanx)];
+    const Pose X_OP = end_pose(p.body, h).inverse() * next_[std::size_t(p.hand)].X_WP[std::size_t(p.phalanx)];
     if (proximity_[std::size_t(i)].leaves(*source(p.body).field, X_OP, 2 * scene_.patch.contact_offset)) drop(p);
   }
   sweep(h);
@@ -54,6 +52,13 @@ void World::detect(double h) {
   std::sort(active_patches_.begin(), active_patches_.end());
   active_patches_.erase(std::unique(active_patches_.begin(), active_patches_.end()), active_patches_.end());
   std::erase_if(active_patches_, [&](int i) { return !patch(i).active; });
+}
+
+/// Where a body will be if it goes on as it does.
+Pose World::end_pose(int body, double h) const {
+  const RigidBody& b = bodies_[std::size_t(body)];
+  const Eigen::Quaterniond R = b.turns() ? rotation_by(h * b.w) * b.X_WO.R : b.X_WO.R;
+  return {R, b.center() + h * b.v - R * b.center_O};
 }
 
 /// Finds the patches of phalanges, and the pairs of bodies, that may come near in this step.
@@ -79,7 +84,7 @@ void World::sweep(double h) {
     const Eigen::AlignedBox3d bounds = source(i).field->bounds();
     const Eigen::Vector3d half = s.R.cwiseAbs() * (0.5 * bounds.sizes());
     const double turn = h * body.w.norm() * body.radius + touching;
-    const Eigen::Vector3d end = s.origin() + s.R * bounds.center() + h * free_change(body, s, {.h = h});
+    const Eigen::Vector3d end = end_pose(i, h) * bounds.center() + h * free_change(body, s, {.h = h});
     broad_phase_.box(std::size_t(i)) =
         box_about(body.X_WO * bounds.center(), end, half + Eigen::Vector3d::Constant(turn));
   }
@@ -111,18 +116,16 @@ bool World::is_far(const PatchSlot& p, double reach, double h) const {
   const BodyStep& s = steps_[std::size_t(p.body)];
   const RigidBody& body = bodies_[std::size_t(p.body)];
   const Eigen::Vector3d& end = next_[std::size_t(p.hand)].X_WP[std::size_t(p.phalanx)].p;
-  const Eigen::Vector3d arm = end - s.center;
+  const Eigen::Vector3d arm = end - s.center - h * body.v;
   const double moved = (end - start_pose(p).p).norm() + h * (body.v.norm() + body.w.norm() * arm.norm());
   const Eigen::Vector3d p_O = s.R.transpose() * arm + body.center_O;
   return source(p.body).field->bounds().exteriorDistance(p_O) > reach + scene_.patch.contact_offset + moved;
 }
 
-void World::watch_hand(int i, double) {
+void World::watch_hand(int i, double h) {
   PatchSlot& p = patch(i);
-  const BodyStep& body = steps_[std::size_t(p.body)];
   const Pose X_OP = bodies_[std::size_t(p.body)].X_WO.inverse() * start_pose(p);
-  const Pose X_OW = Pose{Eigen::Quaterniond(body.R), body.origin()}.inverse();
-  const Pose Y_OP = X_OW * next_[std::size_t(p.hand)].X_WP[std::size_t(p.phalanx)];
+  const Pose Y_OP = end_pose(p.body, h).inverse() * next_[std::size_t(p.hand)].X_WP[std::size_t(p.phalanx)];
   Proximity& proximity = proximity_[std::size_t(i)];
   const VoxelField& field = *source(p.body).field;
   if (const std::optional<Pose> at = proximity.approach(field, X_OP, Y_OP, scene_.patch.contact_offset)) {

@@ -1,5 +1,6 @@
 #include "realtime/implicit_step.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/Geometry>
@@ -51,6 +52,14 @@ void evaluate(Slider& slider, const Vector3d& dv, const Friction& friction) {
   slider.f = force.f;
   slider.tangent = force.tangent;
   slider.slope = force.slope;
+}
+
+/// What touches while it moves sideways faster than its cone opens slides from the start: made to stick first, it would
+/// stop the body, and nothing found from there would be near the solution.
+bool touches_sliding(const Slider& slider, Mode mode, const Friction& friction) {
+  if (mode != Mode::apart) return false;
+  const Trial t = trial(slider.element, Vector3d::Zero());
+  return t.t_norm > friction.mu_static * std::max(t.N, 0.0);
 }
 
 /// Sticking sliders outside the static cone start to slide; true if there was one.
@@ -113,12 +122,14 @@ void PatchStep::relative(const std::vector<BodyStep>& bodies, Vector3d& dv, Vect
 void IslandSolver::reserve(int bodies) {
   row_.assign(std::size_t(bodies), -1);
   residual_.reserve(std::size_t(bodies));
+  correction_.reserve(std::size_t(bodies));
   if (bodies > 1) blocks_.reserve(bodies);
 }
 
 void IslandSolver::begin(const Island& island) {
   const int rows = int(island.bodies.size());
   residual_.resize(island.bodies.size());
+  correction_.resize(island.bodies.size());
   for (int i = 0; i < rows; ++i) row_[std::size_t(island.bodies[std::size_t(i)])] = i;
   analysed_ = rows < 2;
 }
@@ -152,7 +163,7 @@ void IslandSolver::collect(Island& island, double reach, const Contacts& contact
       s.slot = slot;
       s.element = {p.stiffness.k, p.stiffness.c, reach, samples.n[slot], samples.reach[slot], samples.v[slot]};
       s.arm = samples.arm[slot];
-      s.sliding = role[slot] == Role::sliding;
+      s.sliding = role[slot] == Role::sliding || touches_sliding(s, contacts.mode[slot], p.friction);
       island.sliders.push_back(s);
     }
     p.slider_count = int(island.sliders.size()) - p.first_slider;
@@ -222,14 +233,14 @@ bool IslandSolver::is_balanced(Island& island, double reach, const std::vector<B
       residual_[std::size_t(t)].tail<3>() -= reach * (torque + p.offset.cross(force));
     }
   }
-  double squared = 0;
+  squared_ = 0;
   for (std::size_t i = 0; i < residual_.size(); ++i) {
     if (!bodies[std::size_t(island.bodies[i])].turns) residual_[i].tail<3>().setZero();
-    squared += residual_[i].squaredNorm();
+    squared_ += residual_[i].squaredNorm();
   }
   // Angular rows are in N m s: an arm of a metre would make them comparable, objects are smaller, so this is the safe
   // side.
-  return std::sqrt(squared) <= tolerance * size + rounding * std::sqrt(noise);
+  return std::sqrt(squared_) <= tolerance * size + rounding * std::sqrt(noise);
 }
 
 /// The system of a Newton step; true if it is symmetric.
@@ -259,7 +270,7 @@ bool IslandSolver::add_slopes(const Island& island, double reach, const std::vec
 }
 
 /// One Newton step.
-void IslandSolver::correct(const Island& island, std::vector<BodyStep>& bodies, bool symmetric, double share) {
+void IslandSolver::correct(const Island& island, std::vector<BodyStep>& bodies, bool symmetric) {
   if (island.bodies.size() > 1)
     blocks_.solve(residual_);
   else if (symmetric)
@@ -268,9 +279,16 @@ void IslandSolver::correct(const Island& island, std::vector<BodyStep>& bodies, 
     residual_[0] = dense_.partialPivLu().solve(Vector6(residual_[0]));
   for (std::size_t i = 0; i < residual_.size(); ++i) {
     BodyStep& body = bodies[std::size_t(island.bodies[i])];
-    body.change += share * residual_[i];
-    if (!body.turns) body.change.tail<3>().setZero();
+    if (!body.turns) residual_[i].tail<3>().setZero();
+    body.change += residual_[i];
   }
+  std::swap(correction_, residual_);
+}
+
+/// Takes back `share` of the last Newton step.
+void IslandSolver::step_back(const Island& island, std::vector<BodyStep>& bodies, double share) const {
+  for (std::size_t i = 0; i < correction_.size(); ++i)
+    bodies[std::size_t(island.bodies[i])].change -= share * correction_[i];
 }
 
 SolverReport IslandSolver::solve(Island& island, double reach, std::vector<BodyStep>& bodies, Contacts& contacts,
@@ -291,16 +309,25 @@ SolverReport IslandSolver::solve(Island& island, double reach, std::vector<BodyS
     }
     return again;
   };
-  constexpr int patience = 12;
+  constexpr int most_halvings = 5;
   SolverReport report{0, false};
   bool corrected = false;
+  double last = 0;
+  int halvings = 0;
   for (; report.iterations <= options.max_iterations; ++report.iterations) {
     // A linear system is solved by one step, to rounding.
-    bool solved = island.sliders.empty() && corrected && report.iterations <= patience;
+    bool solved = island.sliders.empty() && corrected;
     solved = solved || is_balanced(island, reach, bodies, options.tolerance);
     if (!solved) {
-      const double share = report.iterations < patience ? 1 : 0.5;  // a cycle of modes is broken by going half way
-      correct(island, bodies, add_slopes(island, reach, bodies), share);
+      // Friction that changes its side looks flat from both: a full step goes from one to the other for ever.
+      const bool worse = corrected && squared_ > last && halvings < most_halvings;
+      if (worse) {
+        step_back(island, bodies, std::ldexp(0.5, -halvings++));
+        continue;
+      }
+      last = squared_;
+      halvings = 0;
+      correct(island, bodies, add_slopes(island, reach, bodies));
       corrected = true;
       continue;
     }
@@ -308,6 +335,7 @@ SolverReport IslandSolver::solve(Island& island, double reach, std::vector<BodyS
       for (const Slider& s : island.sliders) role[s.slot] = s.sliding ? Role::sliding : Role::free;
       // What stuck has stopped the body; there the direction of sliding is lost.
       for (const int body : island.bodies) bodies[std::size_t(body)].change.setZero();
+      corrected = false;
       continue;
     }
     report.converged = !evaluate_linear();

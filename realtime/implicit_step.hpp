@@ -51,7 +51,7 @@ struct PatchStep {
 };
 
 struct SolverOptions {
-  int max_iterations{30};
+  int max_iterations{60};
   double tolerance{1e-13};  ///< of the momentum balance, relative to the sum of its terms' sizes
 };
 
@@ -90,11 +90,13 @@ class IslandSolver {
   void analyse(const Island& island);
   [[nodiscard]] bool add_slopes(const Island& island, double reach, const std::vector<BodyStep>& bodies);
   void add_stiffness(const PatchStep& patch, double reach, const Matrix6& S);
-  void correct(const Island& island, std::vector<BodyStep>& bodies, bool symmetric, double share);
+  void correct(const Island& island, std::vector<BodyStep>& bodies, bool symmetric);
+  void step_back(const Island& island, std::vector<BodyStep>& bodies, double share) const;
   [[nodiscard]] int row(int body) const { return body < 0 ? -1 : row_[std::size_t(body)]; }
 
   std::vector<int> row_{};  // of a body in the system, -1: it does not move
-  std::vector<Vector6> residual_{};
+  std::vector<Vector6> residual_{}, correction_{};
+  double squared_{};  // norm of the residual
   Matrix6 dense_{Matrix6::Zero()};
   BlockSystem blocks_{};
   bool analysed_{false};

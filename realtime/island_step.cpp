@@ -60,39 +60,48 @@ void World::prepare_patch(PatchStep& p, const Scheme& scheme) {
     const std::size_t s = slot.slot(i);
     samples_.used[s] = p.source < 0 || contacts_.mode[s] != Mode::apart || (watched_[std::size_t(p.patch)] && near_[s]);
   }
-  project(motion(p, scheme), contacts_, slot, samples_);
+  const PatchMotion m = motion(p, scheme);
+  project(m, contacts_, slot, samples_);
+  bool anchored = false;
   for (int i = 0; i < slot.count; ++i) {
     const std::size_t s = slot.slot(i);
     role_[s] = role_of(p, s, scheme);
     samples_.linear[s] = role_[s] == Role::linear ? 1 : 0;
     p.watches = p.watches || role_[s] == Role::watch;
+    anchored = anchored || role_[s] == Role::free || role_[s] == Role::watch;
   }
+  if (anchored) project(m, contacts_, slot, samples_);
 }
 
 PatchMotion World::motion(const PatchStep& p, const Scheme& scheme) const {
   const BodyStep& target = steps_[std::size_t(p.target)];
   const Vector3d v0 = target.u0.head<3>(), w0 = target.u0.tail<3>();
   PatchMotion m;
-  m.R = target.R;
-  m.arm = target.arm_O;
   if (p.source >= 0) {
     const BodyStep& from = steps_[std::size_t(p.source)];
     const Vector3d v1 = from.u0.head<3>(), w1 = from.u0.tail<3>();
-    m.R_p = from.R;
-    m.t_p = from.origin() - target.origin();
-    m.R_v = cross_times(w1 - w0, m.R_p);
-    m.t_v = v1 - w1.cross(from.arm_O) - v0 - w0.cross(m.t_p - m.arm);
-    return m;
+    m.R_a = from.R;
+    m.t_a = from.origin() - target.center;
+    m.R_v = cross_times(w1 - w0, m.R_a);
+    m.t_v = v1 - w1.cross(from.arm_O) - v0 - w0.cross(m.t_a);
+  } else {
+    const PatchSlot& slot = contacts_.patches[std::size_t(p.patch)];
+    const Pose& X0 = now_[std::size_t(slot.hand)].X_WP[std::size_t(slot.phalanx)];
+    const Pose& X1 = next_[std::size_t(slot.hand)].X_WP[std::size_t(slot.phalanx)];
+    const Matrix3d R0 = X0.R.toRotationMatrix(), R1 = X1.R.toRotationMatrix();
+    const double at = scheme.place() / scheme.h;
+    m.R_a = (1 - at) * R0 + at * R1;
+    m.t_a = (1 - at) * X0.p + at * X1.p - target.center;
+    m.R_v = (R1 - R0) / scheme.h - cross_times(w0, m.R_a);
+    m.t_v = (X1.p - X0.p) / scheme.h - v0 - w0.cross(m.t_a);
   }
-  const PatchSlot& slot = contacts_.patches[std::size_t(p.patch)];
-  const Pose& X0 = now_[std::size_t(slot.hand)].X_WP[std::size_t(slot.phalanx)];
-  const Pose& X1 = next_[std::size_t(slot.hand)].X_WP[std::size_t(slot.phalanx)];
-  const Matrix3d R0 = X0.R.toRotationMatrix(), R1 = X1.R.toRotationMatrix();
-  const double end = scheme.theta;
-  m.R_p = end == 1 ? R1 : Matrix3d((1 - end) * R0 + end * R1);
-  m.t_p = (end == 1 ? X1.p : Vector3d((1 - end) * X0.p + end * X1.p)) - target.origin();
-  m.R_v = (R1 - R0) / scheme.h - cross_times(w0, m.R_p);
-  m.t_v = (X1.p - X0.p) / scheme.h - v0 - w0.cross(m.t_p - m.arm);
+  const double lead = scheme.reach() - scheme.place();
+  m.R_r = m.R_a + lead * m.R_v;
+  m.t_r = m.t_a + target.arm_O + lead * m.t_v;
+  m.R = target.R;
+  if (lead == 0 || w0.isZero(0)) return m;
+  for (Matrix3d* R : {&m.R_v, &m.R_r, &m.R}) *R = Matrix3d(target.turn * *R);
+  for (Vector3d* t : {&m.t_v, &m.t_r}) *t = Vector3d(target.turn * *t);
   return m;
 }
 
@@ -105,9 +114,6 @@ Role World::role_of(const PatchStep& p, std::size_t slot, const Scheme& scheme) 
   if (role == Role::idle) return role;
   contacts_.C_O.set(slot, anchor.C_O);
   contacts_.n_O.set(slot, anchor.n_O);
-  const BodyStep& target = steps_[std::size_t(p.target)];
-  samples_.reach.set(slot, samples_.arm[slot] + target.arm_O - target.R * anchor.C_O);
-  samples_.n.set(slot, target.R * anchor.n_O);
   return role;
 }
 
@@ -117,8 +123,8 @@ Vector3d World::free_end(const PatchStep& p, std::size_t slot, const Scheme& sch
   const RigidBody& body = bodies_[std::size_t(p.target)];
   Vector3d fall = -free_change(body, target, scheme);
   if (p.source >= 0) fall += free_change(bodies_[std::size_t(p.source)], steps_[std::size_t(p.source)], scheme);
-  const Vector3d end =
-      samples_.arm[slot] + (scheme.h - scheme.reach()) * samples_.v[slot] + scheme.h / scheme.theta * fall;
+  const Vector3d end = samples_.arm[slot] + (scheme.h - scheme.place()) * (target.turn.transpose() * samples_.v[slot]) +
+                       scheme.h / scheme.theta * fall;
   return target.R.transpose() * end + body.center_O;
 }
 
@@ -200,6 +206,7 @@ void World::finish_slider(const PatchStep& p, const Slider& s, const Scheme& sch
   if (!(s.trial.N > 0)) return let_go(s.slot, scheme.h);
   contacts_.f_W.set(s.slot, s.f);
   const BodyStep& target = steps_[std::size_t(p.target)];
+  const Matrix3d R = target.turn * target.R;
   const bool slides = s.sliding && s.trial.t_norm > p.friction.mu_dynamic * s.trial.N;
   Vector3d dv, dw;
   p.relative(steps_, dv, dw);
@@ -211,8 +218,8 @@ void World::finish_slider(const PatchStep& p, const Slider& s, const Scheme& sch
     const Vector3d before = s.trial.lag - scheme.reach() * s.trial.v_t;
     stretch = (lag_after_sliding(s.element, s.tangent, before) - before) / scheme.reach();
     Anchor anchor{contacts_.C_O[s.slot], contacts_.n_O[s.slot]};
-    slide(*source(p.target).field, target.R.transpose() * (scheme.h * (s.trial.v_t - stretch)), anchor);
-    step = target.R * (anchor.C_O - contacts_.C_O[s.slot]);  // as far as the surface let it
+    slide(*source(p.target).field, R.transpose() * (scheme.h * (s.trial.v_t - stretch)), anchor);
+    step = R * (anchor.C_O - contacts_.C_O[s.slot]);  // as far as the surface let it
     contacts_.C_O.set(s.slot, anchor.C_O);
     contacts_.n_O.set(s.slot, anchor.n_O);
   }

@@ -36,9 +36,6 @@ struct Lanes3 {
 [[gnu::always_inline]] inline Lanes3 operator-(const Lanes3& a, const Lanes3& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
-[[gnu::always_inline]] inline Lanes3 operator-(const Lanes3& a, const Eigen::Vector3d& b) {
-  return {a.x - b.x(), a.y - b.y(), a.z - b.z()};
-}
 [[gnu::always_inline]] inline Lanes3 operator+(const Lanes3& a, const Eigen::Vector3d& b) {
   return {a.x + b.x(), a.y + b.y(), a.z + b.z()};
 }
@@ -69,10 +66,9 @@ void project(const PatchMotion& motion, const Contacts& contacts, const PatchSlo
   for (std::size_t i = patch.slot(0), end = patch.slot(patch.count); i < end; i += lanes) {
     if (!samples.used[i] && !samples.used[i + 1]) continue;
     const Lanes3 p_P = load(contacts.p_P, i);
-    const Lanes3 p = motion.R_p * p_P + motion.t_p;
-    store(samples.arm, i, p - motion.arm);
+    store(samples.arm, i, motion.R_a * p_P + motion.t_a);
     store(samples.v, i, motion.R_v * p_P + motion.t_v);
-    store(samples.reach, i, p - motion.R * load(contacts.C_O, i));
+    store(samples.reach, i, motion.R_r * p_P + motion.t_r - motion.R * load(contacts.C_O, i));
     store(samples.n, i, motion.R * load(contacts.n_O, i));
   }
 }

@@ -14,13 +14,16 @@
 
 namespace handhold::realtime {
 
-/// How the samples of one patch move, against its body: p = R_p p_P + t_p from the body's origin, relative velocity
-/// v = R_v p_P + t_v (of p less that of the body's material point at p, if no velocity changed in this step), in W.
+/// How the samples of one patch move against its body, in W: arms are taken at `Scheme::place`, what forces are made of
+/// at θ h, where the body has turned (and points seen from it with it).
 struct PatchMotion {
-  Eigen::Matrix3d R_p{Eigen::Matrix3d::Zero()}, R_v{Eigen::Matrix3d::Zero()};
-  Eigen::Vector3d t_p{Eigen::Vector3d::Zero()}, t_v{Eigen::Vector3d::Zero()};
-  Eigen::Matrix3d R{Eigen::Matrix3d::Identity()};  ///< of the body, at θ h
-  Eigen::Vector3d arm{Eigen::Vector3d::Zero()};    ///< from the body's origin to its centre of mass
+  Eigen::Matrix3d R_a{Eigen::Matrix3d::Zero()};  ///< arm = R_a p_P + t_a, p less the body's centre of mass
+  Eigen::Vector3d t_a{Eigen::Vector3d::Zero()};
+  Eigen::Matrix3d R_v{Eigen::Matrix3d::Zero()};  ///< v = R_v p_P + t_v, of p less that of the body's material point at
+  Eigen::Vector3d t_v{Eigen::Vector3d::Zero()};  ///< p, if no velocity changed in this step
+  Eigen::Matrix3d R_r{Eigen::Matrix3d::Zero()};  ///< p − C = R_r p_P + t_r − R C
+  Eigen::Vector3d t_r{Eigen::Vector3d::Zero()};
+  Eigen::Matrix3d R{Eigen::Matrix3d::Identity()};  ///< of the body
 };
 
 /// Samples in one step, by slot, in W.

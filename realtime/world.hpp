@@ -87,6 +87,7 @@ class World {
   void detect(double h);
   void sweep(double h);
   [[nodiscard]] bool is_far(const PatchSlot& patch, double reach, double h) const;
+  [[nodiscard]] Pose end_pose(int body, double h) const;
   void watch_hand(int patch, double h);
   void seed(PatchSlot& patch, const Pose& X_OP, const Nearest& nearest);
   void drop(PatchSlot& patch);

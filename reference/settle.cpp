@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include "reference/contacts.hpp"
 
 namespace handhold::reference {
@@ -20,6 +18,8 @@ constexpr int most_changes = 100;
 /// above round-off.
 constexpr double cone_margin = 1e-12;
 constexpr double cone_margin_length = 1e-16;
+
+constexpr double most_off_cone = 1e-10;  // of an undamped lag [m]
 
 Vector3d tangential(const Vector3d& v, const Vector3d& n) { return v - v.dot(n) * n; }
 
@@ -53,15 +53,21 @@ Vector3d Contacts::with_lag(std::size_t slot, const Vector3d& p_O, const Vector3
                             const Vector3d& direction, double ratio, double margin) const {
   const Surface& surface = *surfaces_[layout_.id[slot].body];
   Vector3d a = surface.project(anchor, hold);
+  double off = 0;
   for (int i = 0; i < 60; ++i) {
     const Vector3d n = surface.at(a, hold, false).n;
     const Vector3d r = p_O - a;
     const double depth = -r.dot(n);
     const Vector3d wanted = std::max(0.0, ratio * depth - margin) * tangential(direction, n).normalized();
     const Vector3d error = r + depth * n - wanted;
-    if (error.squaredNorm() < 4e-34) break;  // 2e-17 m: round-off
+    off = error.norm();
+    if (off < 2e-17) break;  // round-off
     a = surface.project(a + error, hold);
   }
+  if (!(off < most_off_cone))
+    throw CannotAdvance(describe(int(slot)) +
+                        ": no anchor on an edge sharper than the depth has this lag (give the "
+                        "contact damping)");
   return a;
 }
 
@@ -173,8 +179,7 @@ void Contacts::settle_slot(std::size_t slot, Settling& now) {
   const double before = x.stored();
   int changes = 0;
   for (; changes < most_changes && change(x, now); ++changes) look(x);
-  if (changes == most_changes)
-    throw CannotAdvance(fmt::format("{}: its mode does not settle at t = {:.12g} s", describe(int(slot)), now.t));
+  if (changes == most_changes) throw CannotAdvance(describe(int(slot)) + ": its mode does not settle");
   modes.touching[pad] += int(x.mode != Mode::apart) - int(modes.mode[slot] != Mode::apart);
   modes.mode[slot] = x.mode;
   modes.hold[slot] = x.hold;

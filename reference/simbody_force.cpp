@@ -130,4 +130,15 @@ void ContactForce::realizeAcceleration(const SimTK::State& state) const {
   z_dot[first_z_ + 3 * n + 1] = instant.given;
 }
 
+std::string ContactForce::failure_text(const std::string& otherwise) const {
+  if (!failure_) return otherwise;
+  try {
+    std::rethrow_exception(failure_);
+  } catch (const CannotAdvance& error) {
+    return error.what();
+  } catch (const SimTK::Exception::Base& error) {
+    return error.getMessage();
+  }
+}
+
 }  // namespace handhold::reference::simbody

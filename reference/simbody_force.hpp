@@ -59,8 +59,9 @@ class ContactForce : public SimTK::Force::Custom::Implementation {
 
   void set(SimTK::State& state, Modes modes, const Anchors& anchors, const Work& work) const;
 
-  /// What was last thrown inside the force: the integrator only says that it cannot advance. Null: nothing.
-  [[nodiscard]] const std::exception_ptr& failure() const { return failure_; }
+  /// What was last thrown inside the force, for the integrator only says that it cannot advance; `otherwise` if
+  /// nothing. Wrong input found on the way, such as a load that is not finite, is thrown again.
+  [[nodiscard]] std::string failure_text(const std::string& otherwise) const;
   void forget_failure() { failure_ = nullptr; }
 
  private:

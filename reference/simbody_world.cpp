@@ -50,6 +50,7 @@ class World {
   };
 
   [[nodiscard]] SimTK::State initial_state();
+  void settle_start(SimTK::State& state);
   void advance();
   void advance_to(double frame_end);
   void step_to(double target);
@@ -59,7 +60,7 @@ class World {
   void apply_break(double t);
   void count_event();
   void spend_one();
-  void record_frame();
+  void record_frame(const SimTK::State& state);
   void stalled(const std::string& why);
   [[nodiscard]] bool held_after(std::size_t body, double t) const;
   [[nodiscard]] double next_break() const { return breaks_.empty() ? never : breaks_.front(); }
@@ -78,6 +79,8 @@ class World {
   SimTK::RungeKuttaMersonIntegrator integrator_{system_};
   Locator locator_;
   std::vector<double> breaks_{};  // ascending; times at which hands come and go or bodies are let go
+  double time_{0};                // that has been reached [s]
+  bool running_{false};           // Simbody aborts when an integrator is asked for anything earlier
   long steps_{0};
   long events_{0};
   long events_at_once_{0};
@@ -105,23 +108,31 @@ World::World(const Scene& scene, const Options& options, const std::function<boo
 
 bool World::held_after(std::size_t body, double t) const { return t < scene_.bodies[body].held_until; }
 
+/// Poses and velocities, as Simbody has them; no contacts yet.
 SimTK::State World::initial_state() {
   SimTK::State state = system_.realizeTopology();
   system_.realizeModel(state);
   Modes modes;
   Anchors anchors = Anchors::Zero(3, contacts_.slots());
-  contacts_.clear(modes);  // something that can be evaluated, to have the poses
+  contacts_.clear(modes);
   force_->set(state, modes, anchors, {});
   bodies_.set_start(state);
   system_.realize(state, SimTK::Stage::Velocity);
-  Motions motions;  // as Simbody has them
+  return state;
+}
+
+/// How a scene starts is no event.
+void World::settle_start(SimTK::State& state) {
+  system_.realize(state, SimTK::Stage::Velocity);
+  Modes modes;
+  Anchors anchors;
+  Motions motions;
   bodies_.read_motions(state, motions);
   contacts_.start(motions, modes, anchors);
   for (std::size_t i = 0; i < scene_.bodies.size(); ++i) modes.held[i] = held_after(i, 0);
   Contacts::Settling now{0, motions, modes, anchors};
-  contacts_.settle(now);  // how a scene starts is no event
+  contacts_.settle(now);
   force_->set(state, std::move(modes), anchors, {});
-  return state;
 }
 
 /// Carries out what is due in the integrator's state, and has it start afresh from there.
@@ -200,7 +211,7 @@ void World::land_on_event() {
 }
 
 void World::step_to(double target) {
-  const double begin = integrator_.getAdvancedTime();
+  const double begin = time_ = integrator_.getAdvancedTime();
   locator_.begin(integrator_.getAdvancedState());
   while (integrator_.getAdvancedTime() == begin)
     (void)integrator_.stepTo(target);  // at first it may say that it starts
@@ -220,8 +231,7 @@ void World::advance_to(double frame_end) {
   }
 }
 
-void World::record_frame() {
-  const SimTK::State& state = integrator_.getAdvancedState();
+void World::record_frame(const SimTK::State& state) {
   system_.realize(state, SimTK::Stage::Velocity);
   const Instant& instant = force_->evaluate(state);
   recorder_.frame(state.getTime(), instant.motions, force_->modes(state), force_->anchors(state), instant.contacts,
@@ -229,9 +239,16 @@ void World::record_frame() {
 }
 
 void World::advance() {
-  const SimTK::State start = initial_state();
+  SimTK::State start = initial_state();
+  try {
+    settle_start(start);
+  } catch (const CannotAdvance&) {
+    record_frame(start);  // a recording has at least the start
+    throw;
+  }
+  record_frame(start);
   integrator_.initialize(start);
-  record_frame();
+  running_ = true;
   for (long k = 1; integrator_.getAdvancedTime() < scene_.duration; ++k) {
     if (progress_ && !progress_(integrator_.getAdvancedTime()))
       throw Stop{Outcome::interrupted, "stopped by the caller at t = " + print(integrator_.getAdvancedTime()) + " s"};
@@ -240,13 +257,14 @@ void World::advance() {
     const double begin = thread_cpu_seconds();
     advance_to(last ? scene_.duration : t);
     recorder_.frame_time(thread_cpu_seconds() - begin);
-    record_frame();
+    record_frame(integrator_.getAdvancedState());
   }
 }
 
 /// " at t = ..., CONTACT" of the sample whose anchor moves fastest, which is what stalls an integrator; or of the
 /// fastest body.
 std::string World::where() const {
+  if (!running_) return " at t = 0 s";
   const SimTK::State& state = integrator_.getAdvancedState();
   std::string text = " at t = " + print(state.getTime()) + " s";
   if (state.getSystemStage() < SimTK::Stage::Velocity) return text;
@@ -265,18 +283,6 @@ std::string World::where() const {
   return text + ", body '" + scene_.bodies[std::size_t(body)].name + "'";
 }
 
-/// Wrong input found on the way, such as a load that is not finite, goes to the caller as it was thrown.
-std::string reason(const std::exception_ptr& failure, const std::string& otherwise) {
-  if (!failure) return otherwise;
-  try {
-    std::rethrow_exception(failure);
-  } catch (const CannotAdvance& error) {
-    return error.what();
-  } catch (const SimTK::Exception::Base& error) {
-    return error.getMessage();
-  }
-}
-
 Recording World::run() {
   try {
     advance();
@@ -284,13 +290,13 @@ Recording World::run() {
   } catch (const Stop& stop) {
     recorder_.end(stop.outcome, stop.note);
   } catch (const CannotAdvance& error) {
-    recorder_.end(Outcome::stalled, error.what());
+    recorder_.end(Outcome::stalled, std::string(error.what()) + " at t = " + print(time_) + " s");
   } catch (const SimTK::Exception::Base& error) {  // the integrator gave up; what was thrown inside the force says why
-    const std::string why = reason(force_->failure(), error.getMessage());
+    const std::string why = force_->failure_text(error.getMessage());
     recorder_.end(Outcome::stalled, "the integrator cannot advance" + where() + ": " + why);
   }
   recorder_.provenance("steps", std::to_string(steps_));
-  recorder_.provenance("steps attempted", std::to_string(integrator_.getNumStepsAttempted()));
+  if (running_) recorder_.provenance("steps attempted", std::to_string(integrator_.getNumStepsAttempted()));
   return recorder_.take();
 }
 

@@ -31,6 +31,13 @@ Limit reference_limit(double magnified, const std::string& why) {
           .resolution = 1e-10};
 }
 
+Limit absolute_reference_limit(double magnified, const std::string& why) {
+  return {
+      .value = 1e-9 * magnified,
+      .reason = "ten times the integrator's accuracy of 1e-10, which is absolute" + (why.empty() ? why : "; " + why),
+      .resolution = 1e-10 * magnified};
+}
+
 Limit exact_limit() { return {.value = 0, .reason = "yes or no: nothing to tolerate"}; }
 
 Limit event_limit(double substeps, const std::string& why) {

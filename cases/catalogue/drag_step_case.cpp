@@ -32,6 +32,8 @@ Case drag_step_case() {
   run.expectations = {expect.slip(1.0 / 90, "x at t = 1/90 s"), expect.speed(2.0 / 90, "speed at t = 2/90 s"),
                       expect.slip(3.0 / 90, "overshoot 2 s, t = 3/90 s"), expect.slip(end, "overshoot 2 s, t = 0.1 s")};
   run.expectations[1].converges = true;
+  run.expectations[1].reference =
+      absolute_reference_limit(std::sqrt(o.stiffness / o.mass), "a speed of the oscillation is w times its place");
   run.expectations.push_back({.quantity = "sticks",
                               .truth = 1,
                               .source = "L2: K s = 1.6 N <= 2 mu N = 4 N",

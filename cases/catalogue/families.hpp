@@ -58,6 +58,10 @@ namespace handhold::catalogue {
 /// change h (catalogue case R03: exact), with 2 % for the onset's own step.
 [[nodiscard]] Limit euler_bias_limit(double change);
 
+/// The integrator's accuracy is absolute: ten times 1e-10 [m, rad, m/s, ...], for quantities that are small or may
+/// vanish; `magnified` times as much, and why.
+[[nodiscard]] Limit absolute_reference_limit(double magnified = 1, const std::string& why = "");
+
 /// An undamped oscillation of `amplitude` and `frequency`, t after it began: a fully implicit step (1 + iωh)^(−1) damps
 /// it by ω² h/2 a second and slows it by (ωh)²/3, the latter taken at the sub-step 1/360 s.
 [[nodiscard]] Limit implicit_ring_limit(double amplitude, double frequency, double t);

@@ -43,7 +43,7 @@ Run translation_run(const std::string& name, const Eigen::Vector3d& axis, double
                                 .truth = v / w * std::sin(w * frame(n)),
                                 .source = "L2: v/w sin w t, w^2 = 2 K/m",
                                 .measure = {.kind = Measure::Kind::displacement, .axis = axis, .at = frame(n)},
-                                .reference = reference_limit(),
+                                .reference = absolute_reference_limit(),
                                 .realtime = implicit_ring_limit(v / w, w, frame(n)),
                                 .converges = n == 2});
   run.curve = Curve{"place [m]", {.kind = Measure::Kind::displacement, .axis = axis}, [=](double t) {
@@ -63,7 +63,7 @@ Run rotation_run(const std::string& name, const Eigen::Vector3d& axis, double w,
                                 .truth = closed_form::swing_from_bottom(w, spin, frame(n)),
                                 .source = "L2: sin(th/2) = kappa sn(W t, kappa), kappa = w0/(2 W), " + formula,
                                 .measure = {.kind = Measure::Kind::rotation, .axis = axis, .at = frame(n)},
-                                .reference = reference_limit(),
+                                .reference = absolute_reference_limit(),
                                 .realtime = implicit_ring_limit(spin / w, w, frame(n)),
                                 .converges = n == first});
   run.curve = Curve{"angle [rad]", {.kind = Measure::Kind::rotation, .axis = axis}, [=](double t) {
@@ -80,7 +80,7 @@ Run sag_run() {
                        .truth = sag(cube()),
                        .source = "L2: m g/(2 K)",
                        .measure = {.kind = Measure::Kind::displacement, .axis = down, .at = end},
-                       .reference = reference_limit(),
+                       .reference = absolute_reference_limit(),
                        .realtime = {.value = 1e-9,
                                     .relative = true,
                                     .reason = "rest does not depend on the step; 4e-11 of the settling is left, in the "

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "cases/catalogue/families.hpp"
 #include "cases/catalogue/slider_expectations.hpp"
 #include "cases/catalogue/slider_scenes.hpp"
@@ -22,6 +24,10 @@ Run slipping_run() {
   Run run{.name = "V = 0.2 m/s slips", .scene = [=] { return pinch_scene("G04 catch", o, end); }};
   run.expectations = {expect.breakaway(1, "slip onset"), expect.restick(1, "end of slip"),
                       expect.slip_at_restick(1, "lag behind the hand then"), expect.slip(end, "lag at t = 0.1 s")};
+  const double frequency = std::sqrt(o.stiffness / o.mass);
+  const double pull = o.friction.mu_dynamic * o.normal_force.constant / o.mass;
+  run.expectations[1].reference = absolute_reference_limit(
+      1 + frequency / pull, "the oscillation's speed is known to w times its place; over the acceleration");
   run.curve = expect.curve("object - hand [m]");
   return run;
 }

@@ -36,10 +36,11 @@ struct Change {
 /// Positions: half a sub-step times the gained speed (R03), and as much of the gained acceleration over the time, since
 /// forces are taken at the ends of steps.
 Limit stepped_limit(const Change& change, double t) {
-  return {.per_substep = 1.02 * (0.5 * std::abs(change.speed) + 0.5 * std::abs(change.acceleration) * t),
+  return {.per_substep = std::abs(change.speed) + std::abs(change.acceleration) * t,
           .reason =
-              "half a sub-step times the gained speed (R03), + half a sub-step times the gained acceleration, over "
-              "t, + 2 %"};
+              "twice (for what errors feed back into the directions of friction): half a sub-step times the gained "
+              "speed (R03), "
+              "+ half a sub-step times the gained acceleration, over t"};
 }
 
 Change change_of(const PlanarSlide& s, double t, double (*read)(const PlanarState&)) {
@@ -85,6 +86,7 @@ Case sliding_spin_case() {
                                 .measure = {.kind = Measure::Kind::displacement, .axis = sideways, .at = t},
                                 .reference = reference_limit(10, "a twentieth of the way"),
                                 .realtime = stepped_limit(change_of(s, t, drift), t)});
+    // Of first order too, but lead and lag nearly cancel: its order would show that of the second.
     run.expectations.push_back({.quantity = "angle" + when,
                                 .unit = "rad",
                                 .truth = now.angle,
@@ -92,8 +94,7 @@ Case sliding_spin_case() {
                                 .source = source,
                                 .measure = {.kind = Measure::Kind::rotation, .axis = axis, .at = t},
                                 .reference = reference_limit(),
-                                .realtime = stepped_limit(change_of(s, t, turn), t),
-                                .converges = t == mid});
+                                .realtime = stepped_limit(change_of(s, t, turn), t)});
   }
   run.expectations.push_back({.quantity = "first sample sticks",
                               .unit = "s",
@@ -101,7 +102,7 @@ Case sliding_spin_case() {
                               .pedigree = Pedigree::converged,
                               .source = source,
                               .measure = {.kind = Measure::Kind::event_time, .event = EventKind::restick},
-                              .reference = reference_limit(),
+                              .reference = absolute_reference_limit(),
                               .realtime = event_limit(2, "speeds are off by up to a sub-step of acceleration")});
   run.curve = Curve{"place [m]", {.kind = Measure::Kind::displacement, .axis = along}, [=](double t) {
                       return t < stop.t ? planar_state(s, t).center.y() : std::nan("");

@@ -33,9 +33,9 @@ class RatchetMotion {
   /// Distance that the object has come down since t = 0, up to the end of the last half period [m].
   [[nodiscard]] double creep(double t) const;
 
-  /// When the first finger slips, and sticks again [s].
-  [[nodiscard]] double first_breakaway() const { return halves_.front().breakaway().t; }
-  [[nodiscard]] double first_restick() const { return halves_.front().restick().t; }
+  /// When the first finger slips, and sticks again.
+  [[nodiscard]] const SliderEvent& first_breakaway() const { return halves_.front().breakaway(); }
+  [[nodiscard]] const SliderEvent& first_restick() const { return halves_.front().restick(); }
 
   /// Largest tangential over normal force, over μ, of the finger that is taken for a spring; the solution holds while
   /// this is below 1. At 200 instants a half period.

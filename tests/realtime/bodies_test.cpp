@@ -54,18 +54,21 @@ TEST(Bodies, ABlockSlidesDownAnIncline) {
   EXPECT_NEAR(world.bodies()[1].X_WO.p.x() + 0.2, a * t * t / 2, 4e-5 + 1e-3 * a * t * t / 2);
 }
 
-/// v² / (2 μ g), whatever the direction: the first order's bias at 90 Hz is -2.7 to +1.1 %.
+/// v² / (2 μ g), whatever the direction: the first order's bias at 90 Hz is a v h / 2, 2 % here. The steps in which the
+/// block touches and stops are implicit Euler: μ g h² / 2 each.
 TEST(Bodies, StopsWhereCoulombSays) {
   const double speed = 1.5, truth = speed * speed / (2 * 0.5 * 9.81);
   for (const double angle : {0.0, M_PI / 6, M_PI / 4}) {
     const Vector3d along(std::cos(angle), std::sin(angle), 0);
     const Scene scene = slope_scene(0, speed * along);
-    World world = started(scene, {.substeps = 1, .order = 2}, 1.0 / 90);
+    World world = started(scene, {.substeps = 2, .order = 2}, 1.0 / 90);
     run(world, scene, 60, 1.0 / 90);
     const Vector3d way = world.bodies()[1].X_WO.p - scene.bodies[1].X_WO.p;
     EXPECT_NEAR(way.dot(along) / truth, 1, 1e-3) << angle;
-    EXPECT_LT((way - way.dot(along) * along).head<2>().norm(), 1e-4) << angle;
-    EXPECT_LT(world.bodies()[1].v.norm(), 1e-6);
+    EXPECT_LT((way - way.dot(along) * along).head<2>().norm(), 1e-6) << angle;  // isotropic: rounding, grown by slip
+    // It rings on in the springs that stopped it: lag μ m g / (4 k) = 3e-5 m at sqrt(4 k / m) = 400 /s.
+    EXPECT_LT(world.bodies()[1].v.norm(), 3e-5 * 400) << angle;
+    EXPECT_EQ(world.unconverged(), 0);
   }
 }
 
@@ -108,9 +111,9 @@ TEST(Bodies, ACollisionKeepsMomentum) {
       touches += int(world.events().size());
       const Vector6 change = momentum(world) - before;
       EXPECT_LT(change.head<3>().norm(), 1e-14) << k;  // rounding of 0.08 N s over 120 steps
-      // Implicit Euler moves the bodies' centres by h v while it gives the impulse (up to 0.08 N s), and a step in
-      // which they meet is one at either order.
-      EXPECT_LT(change.tail<3>().norm(), 0.8 / 360 * 0.08) << k;
+      // Forces on both act at one point, in one line. At order 2 they do so at predicted centres, which the impulse (up
+      // to 0.08 N s) moves by h² of it.
+      EXPECT_LT(change.tail<3>().norm(), order == 1 ? 1e-15 : 0.8 / 360 * 0.08) << k;
     }
     EXPECT_GT(touches, 0);
     EXPECT_GT(world.bodies()[1].v.x(), 0.1);
@@ -130,7 +133,9 @@ TEST(Bodies, AFreeBodyKeepsItsAngularMomentum) {
     const double energy = world.energy().kinetic;
     for (int k = 0; k < 900; ++k) world.advance(1.0 / 90, {});
     EXPECT_LT((world.body().inertia() * world.body().w - L).norm(), 1e-12 * L.norm()) << order;
-    if (order == 2) EXPECT_NEAR(world.energy().kinetic / energy, 1, 0.02);
+    if (order == 2) {
+      EXPECT_NEAR(world.energy().kinetic / energy, 1, 0.02);  // w h is 0.13: (w h)²
+    }
   }
 }
 

@@ -64,7 +64,9 @@ TEST(Swept, ShortGapIsBridgedStraight) {
       world.advance(dt, k < 4 ? std::vector<HandFrame>(1) : frames(scene, k * dt));  // lost from the first frame on
     const Touching t = touching(world);
     EXPECT_EQ(t.count, bridge > 0 ? 8 : 0);
-    if (bridge > 0) EXPECT_LT(t.n.y(), -0.999);
+    if (bridge > 0) {
+      EXPECT_LT(t.n.y(), -0.999);
+    }
   }
 }
 

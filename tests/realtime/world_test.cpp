@@ -345,7 +345,7 @@ TEST(World, ADamperTurnsTheForceOfASpin) {
   }
   // First order, so that halving the step halves the error: what is left by Richardson is of second order.
   EXPECT_NEAR(2 * error[1] - error[0], 0, 1e-5);
-  EXPECT_LT(std::abs(error[0]), 5e-4);
+  EXPECT_LT(std::abs(error[0]), 1e-3);  // the bias a t h / 2 of the angle (R03) is 5e-4; as much for arms at the start
 }
 
 /// What the book cannot explain is the step's own damping, which falls with it.
