@@ -34,9 +34,16 @@ void sample_hands(const Scene& scene, double t, std::vector<realtime::HandFrame>
 Frame frame_of(const realtime::World& world) {
   Frame frame{.t = world.time(), .energy = world.energy()};
   for (const realtime::RigidBody& body : world.bodies()) frame.bodies.push_back(body.state());
-  for (const realtime::PatchSlot& patch : world.contacts().patches)
-    if (patch.active)
-      for (int i = 0; i < patch.count; ++i) frame.contacts.push_back(world.contact(patch.slot(i)));
+  const realtime::Contacts& contacts = world.contacts();
+  for (const realtime::PatchSlot& patch : contacts.patches) {
+    if (!patch.active) continue;
+    for (int i = 0; i < patch.count; ++i) {
+      const bool idle = patch.of_body() && contacts.mode[patch.slot(i)] == Mode::apart;  // most of a body's samples
+      if (!idle) frame.contacts.push_back(world.contact(patch.slot(i)));
+    }
+  }
+  std::sort(frame.contacts.begin(), frame.contacts.end(),
+            [](const ContactState& a, const ContactState& b) { return a.id < b.id; });
   return frame;
 }
 
@@ -72,9 +79,13 @@ class RealtimeEngine : public Engine {
       recording.frame_time.push_back(thread_seconds() - before);
       recording.frames.push_back(frame_of(world));
       recording.events.insert(recording.events.end(), world.events().begin(), world.events().end());
-      if (!recording.frames.back().bodies.front().X_WO.p.allFinite()) {
+      const std::vector<BodyState>& bodies = recording.frames.back().bodies;
+      const auto lost =
+          std::find_if(bodies.begin(), bodies.end(), [](const BodyState& body) { return !body.X_WO.p.allFinite(); });
+      if (lost != bodies.end()) {
         recording.outcome = Outcome::diverged;
-        recording.note = fmt::format("body '{}' left the finite numbers at t = {:.4g} s", recording.body_names[0], t);
+        const std::string& body = recording.body_names[std::size_t(lost - bodies.begin())];
+        recording.note = fmt::format("body '{}' left the finite numbers at t = {:.4g} s", body, t);
         break;
       }
       if (progress && !progress(t)) {

@@ -8,6 +8,9 @@ namespace {
 /// What keeps a body of Mobility::translation from turning: no torque does anything to it, to the last bit [kg m²].
 constexpr double no_turning = 1e30;
 
+/// A body at rest turns by rounding; what forces turn by then is not worth the products [rad].
+constexpr double no_turn = 1e-12;
+
 }  // namespace
 
 BodyStep predict(const RigidBody& body, const Scheme& scheme, const Eigen::Vector3d& gravity, const Load& load,
@@ -18,8 +21,8 @@ BodyStep predict(const RigidBody& body, const Scheme& scheme, const Eigen::Vecto
   const bool spins = place > 0 && body.turns() && !body.w.isZero(0);
   const Eigen::Matrix3d R0 = body.X_WO.R.toRotationMatrix();
   s.R = spins ? (rotation_by(place * body.w) * body.X_WO.R).toRotationMatrix() : R0;
-  if (body.turns() && reach > place && !body.w.isZero(0))
-    s.turn = rotation_by((reach - place) * body.w).toRotationMatrix();
+  s.turned = body.turns() && (reach - place) * body.w.norm() > no_turn;
+  if (s.turned) s.turn = rotation_by((reach - place) * body.w).toRotationMatrix();
   s.arm_O = s.R * body.center_O;
   s.center = body.X_WO.p + R0 * body.center_O + place * body.v;
   if (!body.moves()) return s;

@@ -36,6 +36,7 @@ struct BodyStep {
   Matrix6 mass{Matrix6::Zero()};                      ///< (1 + θ h / τ) M
   Vector6 rest{Vector6::Zero()};                      ///< P0 + θ h F − mass u0: right side without contacts
   Vector6 change{Vector6::Zero()};                    ///< δ
+  bool turned{false};                                 ///< `turn` is not the identity
   double drag{};                                      ///< 1 / τ while a support holds the body, else 0
   bool held{false};
   bool turns{false};

@@ -99,7 +99,7 @@ PatchMotion World::motion(const PatchStep& p, const Scheme& scheme) const {
   m.R_r = m.R_a + lead * m.R_v;
   m.t_r = m.t_a + target.arm_O + lead * m.t_v;
   m.R = target.R;
-  if (lead == 0 || w0.isZero(0)) return m;
+  if (!target.turned) return m;
   for (Matrix3d* R : {&m.R_v, &m.R_r, &m.R}) *R = Matrix3d(target.turn * *R);
   for (Vector3d* t : {&m.t_v, &m.t_r}) *t = Vector3d(target.turn * *t);
   return m;

@@ -2,6 +2,7 @@
 
 // What Contacts is given and what it gives.
 
+#include <algorithm>
 #include <stdexcept>
 #include <vector>
 
@@ -13,8 +14,9 @@
 
 namespace handhold::reference {
 
-/// A change of mode is located within this time [s].
-inline constexpr double event_window = 1e-9;
+/// A change of mode is located within this time [s]: late by it, a run is off by it times a jump of velocity, a tenth
+/// of what the integrator may err by a step. No less than the rounding of a time of minutes.
+[[nodiscard]] inline double event_window(double accuracy) { return std::clamp(0.1 * accuracy, 1e-13, 1e-9); }
 
 /// Pose and velocity in W of the frame of a body (O) or a phalanx (P).
 struct Motion {

@@ -32,6 +32,7 @@ Contacts::Contacts(const Scene& scene, double accuracy, SurfaceModel model)
       layout_(make_layout(scene)),
       surfaces_(make_surfaces(scene, model)),
       seed_distance_(scene.patch.contact_offset),
+      event_window_(event_window(accuracy)),
       phalanges_(scene.hands.size() * std::size_t(phalanx_count)),
       memory_(layout_.id.size()),
       near_(layout_.pads.size()) {

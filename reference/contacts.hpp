@@ -122,6 +122,7 @@ class Contacts {
   std::vector<Element> elements_;                         // of every pad
   std::vector<double> drop_distance_;                     // of every body [m]
   double seed_distance_;                                  // [m]
+  double event_window_;                                   // [s]
   std::vector<PhalanxMotion> phalanges_;                  // phalanx_count of every hand
   std::vector<SurfaceMemory> memory_;                     // of every slot
   std::vector<NearMemory> near_;                          // of every pad

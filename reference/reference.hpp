@@ -30,8 +30,8 @@ struct Options {
 void validate(const Options& options);
 
 /// Simulates a scene with the contact element of docs/contact-law.md in continuous time: high-order adaptive
-/// integration (Simbody, Runge-Kutta-Merson), every change of mode located to within 1e-9 s or better. Any number of
-/// hands and bodies; see docs/reference.md for what is practical.
+/// integration (Simbody, Runge-Kutta-Merson), every change of mode located to within a tenth of the accuracy (in s).
+/// Any number of hands and bodies; see docs/reference.md for what is practical.
 ///
 /// `progress` is called at every frame and now and then between; returning false stops the run (Outcome::interrupted).
 /// Throws InputError for a scene that cannot be simulated, std::logic_error when an invariant of the contact law breaks

@@ -98,7 +98,7 @@ void Contacts::touch(Slot& x) {
   // Undamped, at depth 0, the cone has no width: compare rates, d|e|/dt with mu_s dd/dt. Deep, e = 0 is well inside it.
   const Vector3d v_t = tangential(x.s.v_O, foot.n_O);
   const double speed = -x.s.v_O.dot(foot.n_O);
-  const bool shallow = foot.depth < 10 * touch_depth + 2 * event_window * speed;  // it has only just come in
+  const bool shallow = foot.depth < 10 * touch_depth + 2 * event_window_ * speed;  // it has only just come in
   const bool slips = mu.mu_static == 0 || (shallow && v_t.norm() > mu.mu_static * speed);
   if (!slips) return;
   x.mode = Mode::slip;

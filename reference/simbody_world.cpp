@@ -195,9 +195,10 @@ void World::check_step() {
 /// Goes back to the begin of the step and integrates up to the first change of mode, until the end of the step is
 /// where it happens, to within the window, by the integration itself.
 void World::land_on_event() {
+  const double least = event_window(options_.accuracy);
   double window = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < most_landings && window > event_window; ++i) {
-    const Locator::Window found = locator_.narrow(event_window / 2);
+  for (int i = 0; i < most_landings && window > least; ++i) {
+    const Locator::Window found = locator_.narrow(least / 2);
     SimTK::State& state = integrator_.updAdvancedState();
     locator_.rewind(state);
     integrator_.reinitialize(SimTK::Stage::Position, false);
@@ -205,7 +206,7 @@ void World::land_on_event() {
     (void)integrator_.stepTo(std::max(found.high, begin + least_advance));
     while (integrator_.getAdvancedTime() == begin) (void)integrator_.stepTo(found.high);  // news, but no step
     if (!locator_.rises(integrator_.getAdvancedState())) return check_step();  // the step was shorter, or falls short
-    window = locator_.at_end(event_window) ? event_window : integrator_.getAdvancedTime() - begin;
+    window = locator_.at_end(least) ? least : integrator_.getAdvancedTime() - begin;
   }
   settle(window);
 }

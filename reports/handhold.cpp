@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <exception>
 #include <string>
+#include <system_error>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -80,6 +81,8 @@ int main(int count, char** arguments) {
     return exit_code;
   } catch (const handhold::InputError& error) {
     return complain(error.what(), exit_wrong_input);
+  } catch (const std::system_error& error) {  // of fmt::print
+    return complain(fmt::format("standard output: {} (is the disk full?)", error.what()), exit_wrong_input);
   } catch (const std::exception& error) {
     return complain(fmt::format("this is our bug, please report it with the command and its input: {}", error.what()),
                     exit_our_bug);

@@ -8,7 +8,7 @@
 
 namespace handhold::realtime::testing {
 
-/// A World of first order with any number of sub-steps, whose every sub-step is audited: a twin with one sub-step a
+/// A World with any number of sub-steps, whose every sub-step is audited: a twin with one sub-step a
 /// frame takes the same steps, at the poses that HandPath gives, and must have the same bits at every frame.
 class AuditedTwin {
  public:
@@ -20,7 +20,7 @@ class AuditedTwin {
         twin_(scene, twin_options(options, dt)),
         paths_(scene.hands.size(), HandPath(options.longest_bridge)),
         steps_(scene.hands.size()),
-        audit_(scene, twin_options(options, dt).longest_bridge) {
+        audit_(scene, twin_options(options, dt)) {
     for (const auto& frame : before) {
       for (std::size_t i = 0; i < paths_.size(); ++i) paths_[i].observe(dt, frame[i]);
       if (&frame != &before.back()) world_.observe(dt, frame);

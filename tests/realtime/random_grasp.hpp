@@ -60,10 +60,12 @@ inline std::vector<GraspObject> grasp_objects() {
     const SolidProperties solid = solid_properties(mesh);
     return GraspObject{voxelize(mesh, {.voxel_size = voxel}), {1, solid.center, solid.inertia / solid.volume}};
   };
-  return {object(make_box({0.06, 0.05, 0.04}), 0.002), object(make_sphere(0.035, 3), 0.002),
-          object(make_cylinder(0.03, 0.09, 32), 0.002),
-          object(make_mug({.radius = 0.04, .height = 0.08, .wall = 0.006, .segments = 48}), 0.002),
-          object(make_hammer({.handle_length = 0.2, .handle_radius = 0.014, .head = {0.09, 0.034, 0.034}, .segments = 16}), 0.002)};
+  return {
+      object(make_box({0.06, 0.05, 0.04}), 0.002), object(make_sphere(0.035, 3), 0.002),
+      object(make_cylinder(0.03, 0.09, 32), 0.002),
+      object(make_mug({.radius = 0.04, .height = 0.08, .wall = 0.006, .segments = 48}), 0.002),
+      object(make_hammer({.handle_length = 0.2, .handle_radius = 0.014, .head = {0.09, 0.034, 0.034}, .segments = 16}),
+             0.002)};
 }
 
 /// Random phalanges of one or two hands come from all sides to a body, 0 to 8 mm deep, squeeze, lift, shake and let go,
@@ -201,7 +203,8 @@ class RandomGrasp {
   }
   /// From where a phalanx is at its depth, outwards: it comes, squeezes, and goes at last.
   [[nodiscard]] double way(double s) const {
-    return approach_ * (1 - ramp(s / 0.25)) - squeeze_ * ramp((s - 0.25) / 0.1) + 2 * approach_ * ramp((s - 0.85) / 0.15);
+    return approach_ * (1 - ramp(s / 0.25)) - squeeze_ * ramp((s - 0.25) / 0.1) +
+           2 * approach_ * ramp((s - 0.85) / 0.15);
   }
   /// The hands' common motion.
   [[nodiscard]] Pose carry(double s) const {
