@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "cases/recording.hpp"
 #include "cases/scene/scene.hpp"
@@ -11,9 +12,11 @@ namespace handhold::compare {
 
 struct EngineOptions {
   double frame_rate{90};   ///< frames of the recording, and the real-time path's clock [Hz]
+  std::vector<double> frame_times{};  ///< instead of a rate: ascending in (0, duration], the last at its end [s]
   int substeps{4};         ///< of the real-time path, a frame
   double accuracy{1e-10};  ///< of the reference's integrator
   double max_step{1e-3};   ///< of the reference's integrator [s]
+  bool exact_mesh{false};  ///< the reference touches the triangles instead of the spline of the voxel field
 };
 
 /// Called now and then with the simulated time [s]; returning false stops the run, which keeps what it has.

@@ -1,13 +1,10 @@
 #include "compare/engines.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <ctime>
-
 #include <fmt/format.h>
 
 #include "cases/error.hpp"
 #include "compare/baseline_engines.hpp"
+#include "compare/stepped.hpp"
 #include "realtime/world.hpp"
 #ifdef HANDHOLD_REFERENCE
 #include "reference/reference.hpp"
@@ -15,21 +12,6 @@
 
 namespace handhold::compare {
 namespace {
-
-double thread_seconds() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
-}
-
-void sample_hands(const Scene& scene, double t, std::vector<realtime::HandFrame>& hands) {
-  for (std::size_t i = 0; i < hands.size(); ++i) {
-    const HandMotion& motion = *scene.hands[i].motion;
-    hands[i].present = motion.present(t);
-    if (!hands[i].present) continue;
-    for (int p = 0; p < phalanx_count; ++p) hands[i].X_WP[p] = motion.pose(p, t);
-  }
-}
 
 Frame frame_of(const realtime::World& world) {
   Frame frame{.t = world.time(), .energy = world.energy()};
@@ -54,12 +36,7 @@ class RealtimeEngine : public Engine {
   [[nodiscard]] Recording simulate(const Scene& scene, const EngineOptions& options,
                                    const Progress& progress) const override {
     validate(scene);
-    if (!(options.frame_rate > 0) || !std::isfinite(options.frame_rate))
-      throw InputError(fmt::format("frame_rate={} Hz: must be finite and > 0 (90 is the default)", options.frame_rate));
-    Recording recording{.engine = name(), .scene = scene.name};
-    recording.provenance = {{"frame_rate", fmt::format("{} Hz", options.frame_rate)},
-                            {"substeps", fmt::format("{}", options.substeps)}};
-    for (const Body& body : scene.bodies) recording.body_names.push_back(body.name);
+    (void)frames_of(scene, options);  // checks them
     realtime::World world(scene, {.substeps = options.substeps});
     std::vector<realtime::HandFrame> hands(scene.hands.size());
     const double dt = 1 / options.frame_rate;
@@ -69,31 +46,10 @@ class RealtimeEngine : public Engine {
     }
     sample_hands(scene, 0, hands);
     world.start(dt, hands);
-    recording.frames.push_back(frame_of(world));
-    const long frames = std::lround(std::ceil(scene.duration * options.frame_rate - 1e-9));
-    for (long k = 1; k <= frames; ++k) {
-      const double t = std::min(double(k) / options.frame_rate, scene.duration);
-      sample_hands(scene, t, hands);
-      const double before = thread_seconds();
-      world.advance(t - world.time(), hands);
-      recording.frame_time.push_back(thread_seconds() - before);
-      recording.frames.push_back(frame_of(world));
-      recording.events.insert(recording.events.end(), world.events().begin(), world.events().end());
-      const std::vector<BodyState>& bodies = recording.frames.back().bodies;
-      const auto lost =
-          std::find_if(bodies.begin(), bodies.end(), [](const BodyState& body) { return !body.X_WO.p.allFinite(); });
-      if (lost != bodies.end()) {
-        recording.outcome = Outcome::diverged;
-        const std::string& body = recording.body_names[std::size_t(lost - bodies.begin())];
-        recording.note = fmt::format("body '{}' left the finite numbers at t = {:.4g} s", body, t);
-        break;
-      }
-      if (progress && !progress(t)) {
-        recording.outcome = Outcome::interrupted;
-        recording.note = fmt::format("stopped at t = {:.4g} s of {:.4g} s", t, scene.duration);
-        break;
-      }
-    }
+    Recording recording{.engine = name(), .scene = scene.name};
+    recording.provenance = {{"frame_rate", fmt::format("{} Hz", options.frame_rate)},
+                            {"substeps", fmt::format("{}", options.substeps)}};
+    play(scene, options, progress, world, frame_of, recording);
     if (world.unconverged() > 0) recording.provenance["unconverged_substeps"] = fmt::format("{}", world.unconverged());
     return recording;
   }
@@ -107,7 +63,12 @@ class ReferenceEngine : public Engine {
   [[nodiscard]] Recording simulate(const Scene& scene, const EngineOptions& options,
                                    const Progress& progress) const override {
     return reference::simulate(
-        scene, {.accuracy = options.accuracy, .max_step = options.max_step, .frame_rate = options.frame_rate},
+        scene,
+        {.accuracy = options.accuracy,
+         .max_step = options.max_step,
+         .frame_rate = options.frame_rate,
+         .frame_times = options.frame_times,
+         .surface = options.exact_mesh ? reference::SurfaceModel::mesh : reference::SurfaceModel::voxels},
         progress);
   }
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -91,6 +92,17 @@ bool let_go(const PatchStep& p, const Contacts& contacts, SampleSteps& samples, 
   return any;
 }
 
+/// The slope of a slider without what its friction gains with its pressure: symmetric and never negative, so that a
+/// Newton step with it always goes downhill.
+Matrix3d lessened_slope(const Slider& slider, const Friction& friction) {
+  const double cap = friction.mu_dynamic * slider.trial.N;
+  if (!slider.sliding || slider.trial.t_norm <= cap) return slider.slope;
+  const Vector3d &n = slider.element.n, t = slider.trial.t / slider.trial.t_norm;
+  const double slope = slider.element.h * slider.element.stiffness + slider.element.damping;
+  const Matrix3d across = Matrix3d::Identity() - n * n.transpose() - t * t.transpose();
+  return slope * (n * n.transpose() + cap / slider.trial.t_norm * across);
+}
+
 /// Samples on watch that the solution brings inside become free ones; true if there was one.
 bool step_in(const PatchStep& p, double reach, const Vector3d& dv, const Vector3d& dw, const Contacts& contacts,
              const SampleSteps& samples, std::vector<Role>& role) {
@@ -123,6 +135,7 @@ void IslandSolver::reserve(int bodies) {
   row_.assign(std::size_t(bodies), -1);
   residual_.reserve(std::size_t(bodies));
   correction_.reserve(std::size_t(bodies));
+  best_.reserve(std::size_t(bodies));
   if (bodies > 1) blocks_.reserve(bodies);
 }
 
@@ -130,6 +143,7 @@ void IslandSolver::begin(const Island& island) {
   const int rows = int(island.bodies.size());
   residual_.resize(island.bodies.size());
   correction_.resize(island.bodies.size());
+  best_.resize(island.bodies.size());
   for (int i = 0; i < rows; ++i) row_[std::size_t(island.bodies[std::size_t(i)])] = i;
   analysed_ = rows < 2;
 }
@@ -244,7 +258,7 @@ bool IslandSolver::is_balanced(Island& island, double reach, const std::vector<B
 }
 
 /// The system of a Newton step; true if it is symmetric.
-bool IslandSolver::add_slopes(const Island& island, double reach, const std::vector<BodyStep>& bodies) {
+bool IslandSolver::add_slopes(const Island& island, double reach, const std::vector<BodyStep>& bodies, bool exact) {
   analyse(island);
   const bool one = island.bodies.size() == 1;
   if (one)
@@ -261,8 +275,8 @@ bool IslandSolver::add_slopes(const Island& island, double reach, const std::vec
     for (int i = p.first_slider; i < p.first_slider + p.slider_count; ++i) {
       const Slider& slider = island.sliders[std::size_t(i)];
       if (slider.trial.N <= 0) continue;
-      symmetric = symmetric && !slider.sliding;
-      add_slope(slider.arm, slider.slope, S);
+      symmetric = symmetric && !(exact && slider.sliding);
+      add_slope(slider.arm, exact ? slider.slope : lessened_slope(slider, p.friction), S);
     }
     add_stiffness(p, reach, S);
   }
@@ -291,6 +305,12 @@ void IslandSolver::step_back(const Island& island, std::vector<BodyStep>& bodies
     bodies[std::size_t(island.bodies[i])].change -= share * correction_[i];
 }
 
+void IslandSolver::remember(const Island& island, const std::vector<BodyStep>& bodies) {
+  if (!(squared_ < best_squared_)) return;
+  best_squared_ = squared_;
+  for (std::size_t i = 0; i < best_.size(); ++i) best_[i] = bodies[std::size_t(island.bodies[i])].change;
+}
+
 SolverReport IslandSolver::solve(Island& island, double reach, std::vector<BodyStep>& bodies, Contacts& contacts,
                                  SampleSteps& samples, std::vector<Role>& role, const SolverOptions& options) {
   begin(island);
@@ -309,41 +329,54 @@ SolverReport IslandSolver::solve(Island& island, double reach, std::vector<BodyS
     }
     return again;
   };
-  constexpr int most_halvings = 5;
+  constexpr int most_halvings = 8, patience = 24, most_rounds = 100;
   SolverReport report{0, false};
   bool corrected = false;
   double last = 0;
+  best_squared_ = std::numeric_limits<double>::infinity();
   int halvings = 0;
-  for (; report.iterations <= options.max_iterations; ++report.iterations) {
+  int rounds = 0;  // of roles
+  for (int tries = 0; tries <= options.max_iterations && rounds < most_rounds; ++tries, ++report.iterations) {
     // A linear system is solved by one step, to rounding.
     bool solved = island.sliders.empty() && corrected;
     solved = solved || is_balanced(island, reach, bodies, options.tolerance);
     if (!solved) {
       // Friction that changes its side looks flat from both: a full step goes from one to the other for ever.
-      const bool worse = corrected && squared_ > last && halvings < most_halvings;
+      remember(island, bodies);
+      const bool worse = corrected && !(squared_ <= last) && halvings < most_halvings;
       if (worse) {
         step_back(island, bodies, std::ldexp(0.5, -halvings++));
         continue;
       }
       last = squared_;
       halvings = 0;
-      correct(island, bodies, add_slopes(island, reach, bodies));
+      const bool exact = tries < patience;
+      correct(island, bodies, add_slopes(island, reach, bodies, exact));
       corrected = true;
       continue;
     }
     if (break_away(island)) {
       for (const Slider& s : island.sliders) role[s.slot] = s.sliding ? Role::sliding : Role::free;
-      // What stuck has stopped the body; there the direction of sliding is lost.
-      for (const int body : island.bodies) bodies[std::size_t(body)].change.setZero();
       corrected = false;
+      best_squared_ = std::numeric_limits<double>::infinity();
+      tries = 0;
+      ++rounds;
       continue;
     }
     report.converged = !evaluate_linear();
     if (report.converged) break;
     collect(island, reach, contacts, samples, role);
     corrected = false;
+    best_squared_ = std::numeric_limits<double>::infinity();
+    tries = 0;
+    ++rounds;
   }
-  if (!report.converged) evaluate_linear();
+  if (!report.converged) {  // the best that was found, and what the samples do there
+    for (std::size_t i = 0; i < island.bodies.size() && std::isfinite(best_squared_); ++i)
+      bodies[std::size_t(island.bodies[i])].change = best_[i];
+    (void)is_balanced(island, reach, bodies, options.tolerance);
+    evaluate_linear();
+  }
   for (const int body : island.bodies) row_[std::size_t(body)] = -1;
   return report;
 }

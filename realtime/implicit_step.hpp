@@ -88,14 +88,16 @@ class IslandSolver {
   void begin(const Island& island);
   [[nodiscard]] bool is_balanced(Island& island, double reach, const std::vector<BodyStep>& bodies, double tolerance);
   void analyse(const Island& island);
-  [[nodiscard]] bool add_slopes(const Island& island, double reach, const std::vector<BodyStep>& bodies);
+  [[nodiscard]] bool add_slopes(const Island& island, double reach, const std::vector<BodyStep>& bodies, bool exact);
+  void remember(const Island& island, const std::vector<BodyStep>& bodies);
   void add_stiffness(const PatchStep& patch, double reach, const Matrix6& S);
   void correct(const Island& island, std::vector<BodyStep>& bodies, bool symmetric);
   void step_back(const Island& island, std::vector<BodyStep>& bodies, double share) const;
   [[nodiscard]] int row(int body) const { return body < 0 ? -1 : row_[std::size_t(body)]; }
 
   std::vector<int> row_{};  // of a body in the system, -1: it does not move
-  std::vector<Vector6> residual_{}, correction_{};
+  std::vector<Vector6> residual_{}, correction_{}, best_{};
+  double best_squared_{};
   double squared_{};  // norm of the residual
   Matrix6 dense_{Matrix6::Zero()};
   BlockSystem blocks_{};

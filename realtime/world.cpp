@@ -67,8 +67,10 @@ World::World(const Scene& scene, const Options& options) : scene_(scene), option
   island_.bodies.reserve(bodies);
   solver_.reserve(int(bodies));
   resize_for_slots();
-  for (const RigidBody& body : bodies_)
-    start_height_ -= body.moves() ? body.mass * scene.gravity.dot(body.center()) : 0;
+  for (const int i : by_rank_) {
+    const RigidBody& body = bodies_[std::size_t(i)];
+    if (body.moves()) start_height_ -= body.mass * scene.gravity.dot(body.center());
+  }
 }
 
 /// Sums over bodies run from low to high, whatever the order of the scene; equal bodies at equal places are all one.

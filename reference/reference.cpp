@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "cases/error.hpp"
+#include "cases/scene/frame_times.hpp"
 #include "reference/simbody_world.hpp"
 
 namespace handhold::reference {
@@ -16,6 +17,7 @@ constexpr double most_frames = 1e7;
 
 void check_scene(const Scene& scene, const Options& options) {
   validate(scene);
+  if (!options.frame_times.empty()) validate_frames(options.frame_times, scene.duration);
   if (scene.duration * options.frame_rate > most_frames)
     throw InputError(fmt::format("frame_rate={} Hz for {} s: more than {:g} frames (choose a lower rate)",
                                  options.frame_rate, scene.duration, most_frames));

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "cases/scene/frame_times.hpp"
 #include "reference/breaks.hpp"
 #include "reference/invariants.hpp"
 #include "reference/simbody_force.hpp"
@@ -250,13 +251,12 @@ void World::advance() {
   record_frame(start);
   integrator_.initialize(start);
   running_ = true;
-  for (long k = 1; integrator_.getAdvancedTime() < scene_.duration; ++k) {
+  for (const double t :
+       options_.frame_times.empty() ? regular_frames(scene_.duration, options_.frame_rate) : options_.frame_times) {
     if (progress_ && !progress_(integrator_.getAdvancedTime()))
       throw Stop{Outcome::interrupted, "stopped by the caller at t = " + print(integrator_.getAdvancedTime()) + " s"};
-    const double t = double(k) / options_.frame_rate;
-    const bool last = t > scene_.duration - 1e-9;  // no sliver of a frame at the end
     const double begin = thread_cpu_seconds();
-    advance_to(last ? scene_.duration : t);
+    advance_to(t);
     recorder_.frame_time(thread_cpu_seconds() - begin);
     record_frame(integrator_.getAdvancedState());
   }

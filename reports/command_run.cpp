@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "cases/recording_csv.hpp"
+#include "cases/scene/frame_times.hpp"
 #include "compare/engines.hpp"
 #include "compare/grasp.hpp"
 #include "reports/commands.hpp"
@@ -25,6 +26,7 @@ namespace {
 struct RunCommand {
   SceneRequest request{};
   compare::EngineOptions engine{};
+  bool frames_of_trace{false};
   std::string engine_name{"both"};
   std::string out{};
 };
@@ -47,6 +49,13 @@ TimedRecording simulate(const std::string& engine, const NamedScene& named, cons
   return out;
 }
 
+std::vector<std::string> engine_choices() {
+  std::vector<std::string> names = compare::engine_names();
+  names.emplace_back("both");
+  return names;
+}
+
+/// "both": the reference and the real-time path.
 std::vector<std::string> engines(const std::string& name) {
   return name == "both" ? std::vector<std::string>{"reference", "realtime"} : std::vector<std::string>{name};
 }
@@ -57,8 +66,10 @@ bool run_scene(const NamedScene& named, const RunCommand& command, const std::fi
   fmt::print("{}", scene_text(named));
   std::vector<Recording> recordings;
   bool complete = true;
+  compare::EngineOptions options = command.engine;
+  if (command.frames_of_trace) options.frame_times = trace_frames(named.scene);
   for (const std::string& engine : engines(command.engine_name)) {
-    TimedRecording timed = simulate(engine, named, command.engine);
+    TimedRecording timed = simulate(engine, named, options);
     fmt::print("{}", grasp_text(compare::summarize(named.scene, timed.recording), timed.recording, timed.seconds));
     if (!out.empty()) {
       write_recording(timed.recording, out / engine);
@@ -144,11 +155,20 @@ void add_run(CLI::App& app, Invocation& invocation) {
   const auto options = std::make_shared<RunCommand>();
   add_source(*command, options->request);
   command->add_option("--engine", options->engine_name, "which engine")
-      ->check(CLI::IsMember({"reference", "realtime", "both"}))
+      ->check(CLI::IsMember(engine_choices()))
       ->capture_default_str();
   command->add_option("--frame-rate", options->engine.frame_rate, "frames a second [Hz]")
       ->check(number_in(1, 1e4))
       ->capture_default_str();
+  command
+      ->add_flag("--frames-of-trace", options->frames_of_trace,
+                 "frames are those of the recorded hand, instead of a fixed rate")
+      ->disable_flag_override()
+      ->excludes(command->get_option("--frame-rate"));
+  command
+      ->add_flag("--exact-mesh", options->engine.exact_mesh,
+                 "the reference touches the triangles instead of the voxel field: the difference is the voxels' error")
+      ->disable_flag_override();
   command->add_option("--substeps", options->engine.substeps, "sub-steps a frame of the real-time path")
       ->check(number_in(1, 1000))
       ->capture_default_str();

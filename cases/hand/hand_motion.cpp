@@ -183,6 +183,13 @@ bool HandMotion::present(double t) const {
 
 const std::vector<Interval>& HandMotion::bridged() const { return splines_->bridged; }
 
+std::vector<double> HandMotion::seen() const {
+  std::vector<double> times;
+  for (const Splines::Stretch& stretch : splines_->stretches)
+    times.insert(times.end(), stretch.knots.begin(), stretch.knots.end());
+  return times;
+}
+
 Pose HandMotion::pose(int phalanx, double t) const {
   if (splines_->stretches.empty()) return {};
   const Place at = splines_->place(t);

@@ -36,6 +36,9 @@ class HandMotion {
   /// Bridged gaps, as information for reports.
   [[nodiscard]] const std::vector<Interval>& bridged() const;
 
+  /// When the trace saw the hand: the knots of the splines, ascending [s].
+  [[nodiscard]] std::vector<double> seen() const;
+
   /// Pose and twist of a phalanx in W; `t` is clamped to the nearest interval of presence (twist zero outside).
   [[nodiscard]] Pose pose(int phalanx, double t) const;
   [[nodiscard]] Twist twist(int phalanx, double t) const;

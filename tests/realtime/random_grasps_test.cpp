@@ -32,10 +32,10 @@ void add(const AuditTally& t, Survey& survey) {
   ++survey.grasps;
   survey.touched += t.forces > 0;
   for (long AuditTally::*count : {&AuditTally::steps, &AuditTally::forces, &AuditTally::slides, &AuditTally::unknown,
-                                  &AuditTally::around, &AuditTally::unconverged, &AuditTally::audited})
+                                  &AuditTally::backward, &AuditTally::unconverged, &AuditTally::audited})
     all.*count += t.*count;
   for (double AuditTally::*worst :
-       {&AuditTally::momentum, &AuditTally::cone, &AuditTally::element, &AuditTally::energy, &AuditTally::backward})
+       {&AuditTally::momentum, &AuditTally::cone, &AuditTally::element, &AuditTally::energy})
     all.*worst = std::max(all.*worst, t.*worst);
   for (double EnergyTerms::*term : {&EnergyTerms::numerical, &EnergyTerms::turning, &EnergyTerms::touching,
                                     &EnergyTerms::appearing, &EnergyTerms::blocked})
@@ -57,12 +57,12 @@ void print(const Survey& s) {
   const AuditTally& t = s.all;
   std::cout << s.grasps << " grasps, " << s.touched << " of them touched; " << t.steps << " sub-steps, " << t.audited
             << " with their energy, " << t.unconverged << " not solved; " << t.forces << " forces, " << t.slides
-            << " of them sliding, " << t.around << " round an edge, " << t.unknown
+            << " of them sliding, " << t.backward << " backwards, " << t.unknown
             << " unknown\nlargest share of what is allowed: momentum " << t.momentum << ", cone " << t.cone
-            << ", element " << t.element << ", energy " << t.energy << ", backward " << t.backward << "\nof "
-            << t.throughput << " J: numerical " << t.terms.numerical << ", turning " << t.terms.turning << ", touching "
-            << t.terms.touching << ", appearing " << t.terms.appearing << ", blocked " << t.terms.blocked
-            << "; largest gain of a grasp " << s.gain << "\n";
+            << ", element " << t.element << ", energy " << t.energy << "\nof " << t.throughput << " J: numerical "
+            << t.terms.numerical << ", turning " << t.terms.turning << ", touching " << t.terms.touching
+            << ", appearing " << t.terms.appearing << ", blocked " << t.terms.blocked << "; largest gain of a grasp "
+            << s.gain << "\n";
 }
 
 TEST(RandomGrasps, KeepEveryInvariantInEverySubStep) {
@@ -88,6 +88,13 @@ TEST(RandomGrasps, KeepEveryInvariantInEverySubStep) {
   print(survey);
   EXPECT_GT(survey.touched, 0.8 * survey.grasps);
   EXPECT_EQ(survey.all.unknown, 0);
+  // Kinetic and potential energy beyond the start and what hands gave: by the identity of EnergyTerms no more than the
+  // terms of second order. Measured: 5e-6 of what passed through the hands.
+  EXPECT_LT(survey.gain, 1e-3);
+  // Should be 0: Newton's iteration is known to end in a cycle now and then. Measured: 1.5e-4 of the sub-steps.
+  EXPECT_LE(double(survey.all.unconverged), 5 + 3e-4 * double(survey.all.steps));
+  // Of a hand that is through a thin wall, with a lag of centimetres.
+  EXPECT_LE(double(survey.all.backward), 5 + 3e-4 * double(survey.all.slides));
 }
 
 }  // namespace
