@@ -43,11 +43,15 @@ void add_slope(const Vector3d& arm, const Matrix3d& D, Matrix6& S) {
   S.bottomRightCorner<3, 3>() -= r * Dr;
 }
 
-/// Evaluates one element at a change `dv` of relative velocity; its slope is zero when apart.
-void evaluate(Slider& slider, const Vector3d& dv, const Friction& friction) {
+/// Evaluates one element at a change `dv` of relative velocity; its slope is zero when apart. `touching`: what has just
+/// come in is taken to press, or else, before anything has moved, nothing would carry anything.
+void evaluate(Slider& slider, const Vector3d& dv, const Friction& friction, bool touching) {
   slider.trial = trial(slider.element, dv);
+  slider.presses = slider.trial.N > 0 || (touching && slider.entering);
   ElementForce force;
-  if (slider.trial.N > 0)
+  if (slider.presses && slider.trial.N <= 0)
+    force = sticking_force(slider.element, slider.trial);
+  else if (slider.presses)
     force = slider.sliding ? sliding_force(slider.element, slider.trial, friction.mu_dynamic)
                            : sticking_force(slider.element, slider.trial);
   slider.f = force.f;
@@ -177,6 +181,7 @@ void IslandSolver::collect(Island& island, double reach, const Contacts& contact
       s.slot = slot;
       s.element = {p.stiffness.k, p.stiffness.c, reach, samples.n[slot], samples.reach[slot], samples.v[slot]};
       s.arm = samples.arm[slot];
+      s.entering = contacts.mode[slot] == Mode::apart;
       s.sliding = role[slot] == Role::sliding || touches_sliding(s, contacts.mode[slot], p.friction);
       island.sliders.push_back(s);
     }
@@ -209,7 +214,8 @@ void IslandSolver::add_stiffness(const PatchStep& p, double reach, const Matrix6
 }
 
 /// Residual at the present changes of velocity; true if it is next to nothing against the sizes of its terms.
-bool IslandSolver::is_balanced(Island& island, double reach, const std::vector<BodyStep>& bodies, double tolerance) {
+bool IslandSolver::is_balanced(Island& island, double reach, const std::vector<BodyStep>& bodies, double tolerance,
+                               bool touching) {
   constexpr double rounding = 4e-16;
   double size = 0, noise = 0;
   for (std::size_t i = 0; i < island.bodies.size(); ++i) {
@@ -229,7 +235,7 @@ bool IslandSolver::is_balanced(Island& island, double reach, const std::vector<B
     size += reach * force.norm();
     for (int i = p.first_slider; i < p.first_slider + p.slider_count; ++i) {
       Slider& slider = island.sliders[std::size_t(i)];
-      evaluate(slider, dv + dw.cross(slider.arm), p.friction);
+      evaluate(slider, dv + dw.cross(slider.arm), p.friction, touching);
       force += slider.f;
       torque += slider.arm.cross(slider.f);
       size += reach * slider.f.norm();
@@ -254,7 +260,8 @@ bool IslandSolver::is_balanced(Island& island, double reach, const std::vector<B
   }
   // Angular rows are in N m s: an arm of a metre would make them comparable, objects are smaller, so this is the safe
   // side.
-  return std::sqrt(squared_) <= tolerance * size + rounding * std::sqrt(noise);
+  balanced_ = std::sqrt(squared_) <= tolerance * size + rounding * std::sqrt(noise);
+  return balanced_;
 }
 
 /// The system of a Newton step; true if it is symmetric.
@@ -274,7 +281,7 @@ bool IslandSolver::add_slopes(const Island& island, double reach, const std::vec
     if (p.sums.count > 0) S = stick_slope(p);
     for (int i = p.first_slider; i < p.first_slider + p.slider_count; ++i) {
       const Slider& slider = island.sliders[std::size_t(i)];
-      if (slider.trial.N <= 0) continue;
+      if (!slider.presses) continue;
       symmetric = symmetric && !(exact && slider.sliding);
       add_slope(slider.arm, exact ? slider.slope : lessened_slope(slider, p.friction), S);
     }
@@ -329,7 +336,7 @@ SolverReport IslandSolver::solve(Island& island, double reach, std::vector<BodyS
     }
     return again;
   };
-  constexpr int most_halvings = 8, patience = 24, most_rounds = 100;
+  constexpr int most_halvings = 8, eager = 8, patience = 24, most_rounds = 100;
   SolverReport report{0, false};
   bool corrected = false;
   double last = 0;
@@ -339,11 +346,13 @@ SolverReport IslandSolver::solve(Island& island, double reach, std::vector<BodyS
   for (int tries = 0; tries <= options.max_iterations && rounds < most_rounds; ++tries, ++report.iterations) {
     // A linear system is solved by one step, to rounding.
     bool solved = island.sliders.empty() && corrected;
-    solved = solved || is_balanced(island, reach, bodies, options.tolerance);
+    const bool first = tries == 0 && rounds == 0;
+    solved = solved || (is_balanced(island, reach, bodies, options.tolerance, first) && !first) ||
+             (first && island.sliders.empty() && balanced_);
     if (!solved) {
       // Friction that changes its side looks flat from both: a full step goes from one to the other for ever.
       remember(island, bodies);
-      const bool worse = corrected && !(squared_ <= last) && halvings < most_halvings;
+      const bool worse = tries >= eager && corrected && !(squared_ <= last) && halvings < most_halvings;
       if (worse) {
         step_back(island, bodies, std::ldexp(0.5, -halvings++));
         continue;
@@ -374,7 +383,7 @@ SolverReport IslandSolver::solve(Island& island, double reach, std::vector<BodyS
   if (!report.converged) {  // the best that was found, and what the samples do there
     for (std::size_t i = 0; i < island.bodies.size() && std::isfinite(best_squared_); ++i)
       bodies[std::size_t(island.bodies[i])].change = best_[i];
-    (void)is_balanced(island, reach, bodies, options.tolerance);
+    (void)is_balanced(island, reach, bodies, options.tolerance, false);
     evaluate_linear();
   }
   for (const int body : island.bodies) row_[std::size_t(body)] = -1;

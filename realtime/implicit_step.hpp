@@ -28,6 +28,8 @@ struct Slider {
   ElementStep element{};
   Eigen::Vector3d arm{Eigen::Vector3d::Zero()};      ///< p − centre of mass of its body, in W [m]
   bool sliding{false};                               ///< in: see Role; out: slides
+  bool entering{false};                              ///< in: was apart
+  bool presses{false};                               ///< out: has a force
   Trial trial{};                                     ///< out: at the solution
   Eigen::Vector3d f{Eigen::Vector3d::Zero()};        ///< out: force on the object [N]
   Eigen::Vector3d tangent{Eigen::Vector3d::Zero()};  ///< out: its tangential part [N]
@@ -86,7 +88,8 @@ class IslandSolver {
   void collect(Island& island, double reach, const Contacts& contacts, const SampleSteps& samples,
                const std::vector<Role>& role) const;
   void begin(const Island& island);
-  [[nodiscard]] bool is_balanced(Island& island, double reach, const std::vector<BodyStep>& bodies, double tolerance);
+  [[nodiscard]] bool is_balanced(Island& island, double reach, const std::vector<BodyStep>& bodies, double tolerance,
+                                 bool touching);
   void analyse(const Island& island);
   [[nodiscard]] bool add_slopes(const Island& island, double reach, const std::vector<BodyStep>& bodies, bool exact);
   void remember(const Island& island, const std::vector<BodyStep>& bodies);
@@ -98,6 +101,7 @@ class IslandSolver {
   std::vector<int> row_{};  // of a body in the system, -1: it does not move
   std::vector<Vector6> residual_{}, correction_{}, best_{};
   double best_squared_{};
+  bool balanced_{false};
   double squared_{};  // norm of the residual
   Matrix6 dense_{Matrix6::Zero()};
   BlockSystem blocks_{};
