@@ -260,8 +260,7 @@ bool IslandSolver::is_balanced(Island& island, double reach, const std::vector<B
   }
   // Angular rows are in N m s: an arm of a metre would make them comparable, objects are smaller, so this is the safe
   // side.
-  balanced_ = std::sqrt(squared_) <= tolerance * size + rounding * std::sqrt(noise);
-  return balanced_;
+  return std::sqrt(squared_) <= tolerance * size + rounding * std::sqrt(noise);
 }
 
 /// The system of a Newton step; true if it is symmetric.
@@ -346,9 +345,11 @@ SolverReport IslandSolver::solve(Island& island, double reach, std::vector<BodyS
   for (int tries = 0; tries <= options.max_iterations && rounds < most_rounds; ++tries, ++report.iterations) {
     // A linear system is solved by one step, to rounding.
     bool solved = island.sliders.empty() && corrected;
-    const bool first = tries == 0 && rounds == 0;
-    solved = solved || (is_balanced(island, reach, bodies, options.tolerance, first) && !first) ||
-             (first && island.sliders.empty() && balanced_);
+    if (!solved) {
+      const bool first = tries == 0 && rounds == 0;
+      const bool balanced = is_balanced(island, reach, bodies, options.tolerance, first);
+      solved = balanced && (!first || island.sliders.empty());
+    }
     if (!solved) {
       // Friction that changes its side looks flat from both: a full step goes from one to the other for ever.
       remember(island, bodies);

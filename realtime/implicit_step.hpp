@@ -101,7 +101,6 @@ class IslandSolver {
   std::vector<int> row_{};  // of a body in the system, -1: it does not move
   std::vector<Vector6> residual_{}, correction_{}, best_{};
   double best_squared_{};
-  bool balanced_{false};
   double squared_{};  // norm of the residual
   Matrix6 dense_{Matrix6::Zero()};
   BlockSystem blocks_{};

@@ -42,7 +42,8 @@ std::string finding_row(const compare::Finding& finding) {
       "<td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td>{}</td></tr>\n",
       escape(quantity), escape(catalogue::to_string(e.pedigree)), escape(e.source), html_number(e.truth),
       html_number(finding.reference.value), against_limit(finding.reference, e.reference.relative),
-      html_number(finding.realtime.value), against_limit(finding.realtime, e.realtime.relative), order_cell(finding),
+      finding.realtime.asked ? html_number(finding.realtime.value) : "not asked",
+      finding.realtime.asked ? against_limit(finding.realtime, e.realtime.relative) : "", order_cell(finding),
       verdict_tag(worst(finding) == Verdict::fail ? Verdict::fail : Verdict::pass));
 }
 
@@ -67,7 +68,8 @@ std::string notes(const compare::RunResult& run) {
   if (!run.reference_note.empty())
     out += fmt::format("<p class=\"bad\">The reference ended early: {}</p>\n", escape(run.reference_note));
   if (!run.realtime_note.empty())
-    out += fmt::format("<p class=\"bad\">The real-time path ended early: {}</p>\n", escape(run.realtime_note));
+    out += fmt::format("<p{}>The real-time path {}</p>\n", was_asked(run) ? " class=\"bad\"" : "",
+                       escape(realtime_fate(run)));
   return out;
 }
 

@@ -14,8 +14,7 @@ namespace {
 void append(std::vector<PlacedGate>& out, const compare::CaseResult& of_case, const compare::RunResult& run) {
   for (const compare::Finding& finding : run.findings) {
     out.push_back({&of_case, &run, &finding, Judged::reference, &finding.reference.gate});
-    if (finding.realtime.asked)
-      out.push_back({&of_case, &run, &finding, Judged::realtime, &finding.realtime.gate});
+    if (finding.realtime.asked) out.push_back({&of_case, &run, &finding, Judged::realtime, &finding.realtime.gate});
     if (finding.study) out.push_back({&of_case, &run, &finding, Judged::order, &finding.study->gate});
   }
 }
@@ -67,6 +66,14 @@ std::vector<PlacedGate> placed_gates(const compare::CaseResult& of_case, const c
 }
 
 std::string place(const PlacedGate& gate) { return fmt::format("{}/{}", gate.of_case->id, gate.run->name); }
+
+bool was_asked(const compare::RunResult& run) {
+  return std::all_of(run.findings.begin(), run.findings.end(), [](const auto& f) { return f.realtime.asked; });
+}
+
+std::string realtime_fate(const compare::RunResult& run) {
+  return was_asked(run) ? "ended early: " + run.realtime_note : "was " + run.realtime_note;
+}
 
 Count count(const std::vector<PlacedGate>& gates) {
   Count out{gates.size(), 0, 0};

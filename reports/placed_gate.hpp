@@ -46,6 +46,12 @@ struct Count {
 
 [[nodiscard]] Count count(const std::vector<PlacedGate>& gates);
 
+/// Whether the real-time path was asked to play the run (Run::not_realtime).
+[[nodiscard]] bool was_asked(const compare::RunResult& run);
+
+/// What became of the real-time path in a run that has a note on it: "ended early: ..." or "was not asked: ...".
+[[nodiscard]] std::string realtime_fate(const compare::RunResult& run);
+
 /// The verdict in few words, for a title: "Failed: 3 of 84 gates".
 [[nodiscard]] std::string headline(const compare::SuiteResult& result);
 

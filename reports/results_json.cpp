@@ -78,7 +78,7 @@ Json finding_json(const compare::Finding& finding) {
   out["pedigree"] = catalogue::to_string(e.pedigree);
   out["source"] = e.source;
   out["reference"] = judgement_json(finding.reference, e.reference);
-  out["realtime"] = judgement_json(finding.realtime, e.realtime);
+  if (finding.realtime.asked) out["realtime"] = judgement_json(finding.realtime, e.realtime);
   out["order_study"] = finding.study ? study_json(*finding.study) : Json(nullptr);
   return out;
 }

@@ -39,7 +39,16 @@ std::string header() {
          "verdict\n";
 }
 
+std::string value_text(const compare::Judgement& judgement) {
+  return judgement.asked ? number(judgement.value) : "not asked";
+}
+
+std::string limit_text(const compare::Judgement& judgement, const catalogue::Limit& limit) {
+  return judgement.asked ? error_number(judgement.gate.limit, limit.relative) : "";
+}
+
 std::string error_text(const compare::Judgement& judgement, const catalogue::Limit& limit) {
+  if (!judgement.asked) return "";
   return error_number(judgement.error, limit.relative);
 }
 
@@ -64,11 +73,10 @@ std::string finding_row(const compare::Finding& finding, const TableStyle& style
   const catalogue::Expectation& e = finding.expectation;
   const std::string quantity = one_line(e.unit.empty() ? e.quantity : fmt::format("{} [{}]", e.quantity, e.unit));
   const Verdict v = verdict_of(finding);
-  return row("  " + quantity, number(e.truth), number(finding.reference.value), number(finding.realtime.value),
+  return row("  " + quantity, number(e.truth), number(finding.reference.value), value_text(finding.realtime),
              error_text(finding.reference, e.reference),
              error_number(finding.reference.gate.limit, e.reference.relative), error_text(finding.realtime, e.realtime),
-             error_number(finding.realtime.gate.limit, e.realtime.relative), order_text(finding),
-             catalogue::to_string(e.pedigree)) +
+             limit_text(finding.realtime, e.realtime), order_text(finding), catalogue::to_string(e.pedigree)) +
          paint(mark(v), v, style) + "\n";
 }
 
@@ -76,7 +84,7 @@ std::string run_rows(const compare::RunResult& run, const TableStyle& style) {
   std::string out = " " + one_line(run.name) + "\n";
   for (const compare::Finding& finding : run.findings) out += finding_row(finding, style);
   if (!run.reference_note.empty()) out += "  the reference ended early: " + one_line(run.reference_note) + "\n";
-  if (!run.realtime_note.empty()) out += "  the real-time path ended early: " + one_line(run.realtime_note) + "\n";
+  if (!run.realtime_note.empty()) out += "  the real-time path " + one_line(realtime_fate(run)) + "\n";
   return out;
 }
 

@@ -1,4 +1,4 @@
-// How the suite is stopped within a run.
+// What the suite asks of engines, and how it is stopped within a run.
 #include <gtest/gtest.h>
 
 #include "compare/suite.hpp"
@@ -39,6 +39,17 @@ TEST(SuiteStop, RunsToItsEndWhenNobodyStopsIt) {
   const SuiteResult result = run_suite(Slow(), Slow(), {.ids = {"C01"}, .study_refinements = {}});
   EXPECT_FALSE(result.interrupted);
   EXPECT_EQ(result.cases[0].runs.size(), 3U);
+}
+
+/// The catalogue asks the thresholds of G02 of the reference alone.
+TEST(SuiteAsks, TheRealTimePathOnlyWhatItCanBeAsked) {
+  const SuiteResult result = run_suite(Slow(), Slow(), {.ids = {"G02"}, .study_refinements = {}});
+  std::size_t asked = 0, not_asked = 0;
+  for (const RunResult& run : result.cases.at(0).runs)
+    for (const Finding& finding : run.findings) ++(finding.realtime.asked ? asked : not_asked);
+  EXPECT_GT(asked, 0U);
+  EXPECT_GT(not_asked, 0U);
+  EXPECT_EQ(gates(result).size(), 2 * asked + not_asked);  // what was not asked is no gate, neither held nor failed
 }
 
 }  // namespace

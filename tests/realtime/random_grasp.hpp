@@ -103,7 +103,7 @@ class RandomGrasp {
       X.R = (X.R * rotation_by(random_.in_ball(tremble_ / 0.02))).normalized();
       hands[std::size_t(finger.hand)].X_WP[std::size_t(finger.phalanx)] = X;
     }
-    if (random_.uniform() < 0.2 * gap_rate_)  // what a tracker should not say, and some do
+    if (s > 0 && random_.uniform() < 0.2 * gap_rate_)  // what a tracker should not say, and some do
       hands[0].X_WP[std::size_t(random_.below(phalanx_count))].p.x() = std::numeric_limits<double>::quiet_NaN();
     return hands;
   }

@@ -52,6 +52,16 @@ TEST(ResultsJson, WritesInfinitiesInListsWithTheirPlace) {
   EXPECT_EQ(schema_fault(document, schema(), schema()), "");
 }
 
+TEST(ResultsJson, WhatWasNotAskedIsLeftOut) {
+  compare::SuiteResult result = sample_result();
+  compare::RunResult& run = result.cases[0].runs[0];
+  for (compare::Finding& finding : run.findings) finding.realtime = {.asked = false};
+  run.realtime_note = "not asked: it would ring";
+  const json written = json::parse(results_json(result));
+  EXPECT_FALSE(written["cases"][0]["runs"][0]["findings"][0].contains("realtime"));
+  EXPECT_EQ(schema_fault(written, schema(), schema()), "");
+}
+
 TEST(ResultsJson, NumbersRoundTrip) {
   compare::SuiteResult result = sample_result();
   const double awkward = 0.1 + 0.2;  // needs 17 digits
