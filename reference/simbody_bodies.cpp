@@ -1,28 +1,11 @@
 #include "reference/simbody_bodies.hpp"
 
-#include <cstring>
-#include <stdexcept>
-
 namespace handhold::reference::simbody {
 namespace {
 
-Eigen::Vector3d to_eigen(const SimTK::Vec3& v) { return {v[0], v[1], v[2]}; }
-
-Eigen::Matrix3d to_eigen(const SimTK::Rotation& R) {
-  Eigen::Matrix3d out;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) out(i, j) = R.asMat33()(i, j);
-  return out;
-}
-
-SimTK::Rotation to_simbody(const Eigen::Quaterniond& q) {
-  const Eigen::Quaterniond unit = q.normalized();
-  return SimTK::Rotation(SimTK::Quaternion(unit.w(), unit.x(), unit.y(), unit.z()));
-}
-
 /// About O's origin, as Simbody wants it. What a mobility never uses is replaced by something harmless.
 SimTK::MassProperties mass_properties(const Body& body) {
-  const SimTK::Vec3 center = simbody::to_simbody(body.inertia.center);
+  const SimTK::Vec3 center = to_simbody(body.inertia.center);
   const Eigen::Matrix3d& J = body.inertia.about_center;
   const bool rotates = body.mobility == Mobility::free;
   const SimTK::Inertia central = rotates ? SimTK::Inertia(J(0, 0), J(1, 1), J(2, 2), J(0, 1), J(0, 2), J(1, 2))
@@ -41,29 +24,6 @@ SimTK::MobilizedBody mobilize(SimTK::SimbodyMatterSubsystem& matter, const Body&
 
 }  // namespace
 
-void check_library() {
-  char built[64] = {};
-  SimTK_about_SimTKcommon("debug", int(sizeof built), built);
-  const bool library_checks = std::strcmp(built, "debug") == 0;
-#ifdef NDEBUG
-  const bool we_check = false;
-#else
-  const bool we_check = true;
-#endif
-  if (library_checks != we_check)
-    throw std::logic_error(
-        "Simbody and handhold were built with different NDEBUG: their states differ in memory (see "
-        "reference/CMakeLists.txt)");
-}
-
-std::string version() {
-  int major = 0, minor = 0, build = 0;
-  SimTK_version_SimTKcommon(&major, &minor, &build);
-  return std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(build);
-}
-
-SimTK::Vec3 to_simbody(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-
 Bodies::Bodies(const Scene& scene, SimTK::SimbodyMatterSubsystem& matter) : scene_(scene) {
   for (int i = 0; i < int(scene.bodies.size()); ++i) {
     const Body& body = scene.bodies[std::size_t(i)];
@@ -76,13 +36,12 @@ Bodies::Bodies(const Scene& scene, SimTK::SimbodyMatterSubsystem& matter) : scen
 void Bodies::set_start(SimTK::State& state) const {
   for (const Moving& m : moving_) {
     const Body& body = scene_.bodies[std::size_t(m.body)];
-    m.mobilized.setQToFitTransform(state, SimTK::Transform(to_simbody(body.X_WO.R), simbody::to_simbody(body.X_WO.p)));
+    m.mobilized.setQToFitTransform(state, SimTK::Transform(to_simbody(body.X_WO.R), to_simbody(body.X_WO.p)));
   }
   for (const Moving& m : moving_) {
     const Body& body = scene_.bodies[std::size_t(m.body)];
     if (body.held_until > 0) continue;  // at rest
-    m.mobilized.setUToFitVelocity(
-        state, SimTK::SpatialVec(simbody::to_simbody(body.V_WO.w), simbody::to_simbody(body.V_WO.v)));
+    m.mobilized.setUToFitVelocity(state, SimTK::SpatialVec(to_simbody(body.V_WO.w), to_simbody(body.V_WO.v)));
   }
 }
 
@@ -99,7 +58,7 @@ void Bodies::apply(int body, const Wrench& wrench, SimTK::Vector_<SimTK::Spatial
   const int i = index_[std::size_t(body)];
   if (i < 0) return;
   body_forces[moving_[std::size_t(i)].mobilized.getMobilizedBodyIndex()] +=
-      SimTK::SpatialVec(simbody::to_simbody(wrench.torque), simbody::to_simbody(wrench.force));
+      SimTK::SpatialVec(to_simbody(wrench.torque), to_simbody(wrench.force));
 }
 
 }  // namespace handhold::reference::simbody

@@ -2,23 +2,15 @@
 
 // Only for files named simbody_*.cpp: this header includes Simbody.
 
-#include <string>
 #include <vector>
 
 #include <Simbody.h>
 
 #include "cases/scene/scene.hpp"
 #include "reference/contact_data.hpp"
+#include "reference/simbody_library.hpp"
 
 namespace handhold::reference::simbody {
-
-/// Throws std::logic_error unless Simbody's library was built with our NDEBUG: its State has members under #ifndef
-/// NDEBUG, and mixing the two corrupts memory.
-void check_library();
-
-[[nodiscard]] std::string version();
-
-[[nodiscard]] SimTK::Vec3 to_simbody(const Eigen::Vector3d& v);
 
 /// The bodies of a scene that move, in Simbody; fixed ones are constants.
 class Bodies {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <stdexcept>
 
 #include "reference/rigid/impact.hpp"
@@ -22,19 +21,6 @@ constexpr double slack = 1e4;  // of the invariants, in units of the accuracy
 constexpr double met = 1e-9;   // an open gap below this, and closing, is an impact [m]
 constexpr int most_events_at_once = 100;
 constexpr int most_trials = 200;
-
-/// See simbody_world.cpp: Debian builds Simbody without NDEBUG, and mixing the two corrupts memory.
-void check_library() {
-  char built[64] = {};
-  SimTK_about_SimTKcommon("debug", int(sizeof built), built);
-#ifdef NDEBUG
-  const bool we_check = false;
-#else
-  const bool we_check = true;
-#endif
-  if ((std::strcmp(built, "debug") == 0) != we_check)
-    throw std::logic_error("Simbody and handhold were built with different NDEBUG (see reference/CMakeLists.txt)");
-}
 
 std::string print(double value) {
   char text[32];
@@ -366,7 +352,7 @@ Trajectory Run::run() {
 }  // namespace
 
 Trajectory simulate(const Problem& problem, const Options& options) {
-  check_library();
+  reference::simbody::check_library();
   return Run(problem, options).run();
 }
 
