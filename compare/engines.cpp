@@ -67,8 +67,8 @@ class ReferenceEngine : public Engine {
         {.accuracy = options.accuracy,
          .max_step = options.max_step,
          .frame_rate = options.frame_rate,
-         .frame_times = options.frame_times,
-         .surface = options.exact_mesh ? reference::SurfaceModel::mesh : reference::SurfaceModel::voxels},
+         .surface = options.exact_mesh ? reference::SurfaceModel::mesh : reference::SurfaceModel::voxels,
+         .frame_times = options.frame_times},
         progress);
   }
 };

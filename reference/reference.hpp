@@ -16,12 +16,12 @@ enum class SurfaceModel {
 };
 
 struct Options {
-  double accuracy{1e-10};  ///< local error of the integrator a step [m, rad, m/s, J, absolute], 1e-13 to 1e-3
-  double max_step{1e-3};   ///< longest step; a pair of events inside one step would be missed [s], > 0
-  double frame_rate{90};   ///< of the recording [Hz], > 0
-  std::vector<double> frame_times{};  ///< instead of a rate: ascending in (0, duration], the last at its end [s]
-  long step_limit{20'000'000};        ///< accepted steps, after which the run counts as stalled, > 0
+  double accuracy{1e-10};       ///< local error of the integrator a step [m, rad, m/s, J, absolute], 1e-13 to 1e-3
+  double max_step{1e-3};        ///< longest step; a pair of events inside one step would be missed [s], > 0
+  double frame_rate{90};        ///< of the recording [Hz], > 0
+  long step_limit{20'000'000};  ///< accepted steps, after which the run counts as stalled, > 0
   SurfaceModel surface{SurfaceModel::voxels};
+  std::vector<double> frame_times{};  ///< instead of a rate: ascending in (0, duration], the last at its end [s]
 };
 
 /// Options of a name: "reference" (the defaults) or "gold" (accuracy 1e-12, steps of at most 5e-4 s: to certify the
