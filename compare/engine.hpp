@@ -11,12 +11,13 @@
 namespace handhold::compare {
 
 struct EngineOptions {
-  double frame_rate{90};   ///< frames of the recording, and the real-time path's clock [Hz]
+  double frame_rate{90};              ///< frames of the recording, and the real-time path's clock [Hz]
   std::vector<double> frame_times{};  ///< instead of a rate: ascending in (0, duration], the last at its end [s]
-  int substeps{4};         ///< of the real-time path, a frame
-  double accuracy{1e-10};  ///< of the reference's integrator
-  double max_step{1e-3};   ///< of the reference's integrator [s]
-  bool exact_mesh{false};  ///< the reference touches the triangles instead of the spline of the voxel field
+  int substeps{4};                    ///< of the real-time path, a frame
+  int order{1};                       ///< of the real-time path: 1 implicit Euler, 2 implicit midpoint
+  double accuracy{1e-10};             ///< of the reference's integrator
+  double max_step{1e-3};              ///< of the reference's integrator [s]
+  bool exact_mesh{false};             ///< the reference touches the triangles instead of the spline of the voxel field
 };
 
 /// Called now and then with the simulated time [s]; returning false stops the run, which keeps what it has.

@@ -37,7 +37,7 @@ class RealtimeEngine : public Engine {
                                    const Progress& progress) const override {
     validate(scene);
     (void)frames_of(scene, options);  // checks them
-    realtime::World world(scene, {.substeps = options.substeps});
+    realtime::World world(scene, {.substeps = options.substeps, .order = options.order});
     std::vector<realtime::HandFrame> hands(scene.hands.size());
     const double dt = 1 / options.frame_rate;
     for (const double before : {-2 * dt, -dt}) {
@@ -48,7 +48,8 @@ class RealtimeEngine : public Engine {
     world.start(dt, hands);
     Recording recording{.engine = name(), .scene = scene.name};
     recording.provenance = {{"frame_rate", fmt::format("{} Hz", options.frame_rate)},
-                            {"substeps", fmt::format("{}", options.substeps)}};
+                            {"substeps", fmt::format("{}", options.substeps)},
+                            {"order", fmt::format("{}", options.order)}};
     play(scene, options, progress, world, frame_of, recording);
     if (world.unconverged() > 0) recording.provenance["unconverged_substeps"] = fmt::format("{}", world.unconverged());
     return recording;

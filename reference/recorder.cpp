@@ -62,7 +62,7 @@ Recorder::Recorder(const Scene& scene, const Options& options) : scene_(scene) {
   for (const Body& body : scene.bodies) recording_.body_names.push_back(body.name);
   provenance("accuracy", fmt::format("{:g}", options.accuracy));
   provenance("max_step", fmt::format("{:g} s", options.max_step));
-  provenance("frame_rate", fmt::format("{:g} Hz", options.frame_rate));
+  provenance("frame_rate", options.frame_times.empty() ? fmt::format("{:g} Hz", options.frame_rate) : "at given times");
   provenance("surface", options.surface == SurfaceModel::mesh ? "mesh" : "voxels");
   provenance("compiler", "g++ " __VERSION__);
 }

@@ -18,7 +18,7 @@ constexpr double most_frames = 1e7;
 void check_scene(const Scene& scene, const Options& options) {
   validate(scene);
   if (!options.frame_times.empty()) validate_frames(options.frame_times, scene.duration);
-  if (scene.duration * options.frame_rate > most_frames)
+  if (options.frame_times.empty() && scene.duration * options.frame_rate > most_frames)
     throw InputError(fmt::format("frame_rate={} Hz for {} s: more than {:g} frames (choose a lower rate)",
                                  options.frame_rate, scene.duration, most_frames));
 }

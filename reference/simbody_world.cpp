@@ -204,8 +204,8 @@ void World::land_on_event() {
     locator_.rewind(state);
     integrator_.reinitialize(SimTK::Stage::Position, false);
     const double begin = integrator_.getAdvancedTime();
-    (void)integrator_.stepTo(std::max(found.high, begin + least_advance));
-    while (integrator_.getAdvancedTime() == begin) (void)integrator_.stepTo(found.high);  // news, but no step
+    const double target = std::max(found.high, begin + least_advance);
+    while (integrator_.getAdvancedTime() == begin) (void)integrator_.stepTo(target);  // at first news, but no step
     if (!locator_.rises(integrator_.getAdvancedState())) return check_step();  // the step was shorter, or falls short
     window = locator_.at_end(least) ? least : integrator_.getAdvancedTime() - begin;
   }

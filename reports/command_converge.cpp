@@ -92,7 +92,10 @@ void judge_by_closed_form(const Subject& subject, const Scene& scene, NamedConve
 void judge_by_recording(const std::string& folder, const Subject& subject, NamedConvergence& named) {
   if (folder.empty()) return;
   const fs::path path = fs::path(folder) / subject.name;
-  if (!fs::exists(path)) return;
+  if (!fs::exists(path) && subject.costly) return;  // runs for the cost alone
+  if (!fs::exists(path))
+    throw InputError(fmt::format("--independent {}: has no recording of '{}' (add {}, or name the scenes with --scene)",
+                                 folder, subject.name, path.string()));
   const Recording other = read_recording(path);
   for (const compare::ConvergenceRun& run : named.study.runs)
     named.independent.push_back(compare::gap(run.recording, other));

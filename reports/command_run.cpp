@@ -172,6 +172,9 @@ void add_run(CLI::App& app, Invocation& invocation) {
   command->add_option("--substeps", options->engine.substeps, "sub-steps a frame of the real-time path")
       ->check(number_in(1, 1000))
       ->capture_default_str();
+  command->add_option("--order", options->engine.order, "of the real-time path: 1 implicit Euler, 2 implicit midpoint")
+      ->check(CLI::IsMember({1, 2}))
+      ->capture_default_str();
   command->add_option("--accuracy", options->engine.accuracy, "of the reference's integrator")
       ->check(number_in(1e-13, 1e-3))
       ->capture_default_str();

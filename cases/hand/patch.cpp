@@ -98,7 +98,12 @@ Nearest nearest_of_capsule(const Capsule& capsule, const Pose& X_OP, const Voxel
   const Segment segment{X_OP.p, X_OP.R * Eigen::Vector3d::UnitZ(), capsule.half_length};
   const double reach = capsule.radius + nearest_reach;
   const double far = field.distance(segment.middle).distance - segment.half;
-  if (segment.half <= 0 || far > reach) return place_at(distance, segment.middle, capsule.radius);
+  if (segment.half <= 0) return place_at(distance, segment.middle, capsule.radius);
+  if (far > reach) {
+    Nearest bound = place_at(distance, segment.middle, capsule.radius);
+    bound.distance = far - capsule.radius;  // an end may be nearer than the middle by half the length
+    return bound;
+  }
 
   // A coarse look first: a bent object can be near at several places.
   constexpr int steps = 8;
@@ -113,8 +118,11 @@ Nearest nearest_of_capsule(const Capsule& capsule, const Pose& X_OP, const Voxel
   // From the best place the surface is |best| away, so from anywhere in the bracket at most a spacing farther (and the
   // interpolation's error, less than a voxel).
   const double within = std::abs(best) + spacing + field.grid().spacing;
-  const double s = best < reach ? flattest(distance, segment, low, high, within) : best_s;
-  return place_at(distance, segment.at(s), capsule.radius);
+  if (best < reach)
+    return place_at(distance, segment.at(flattest(distance, segment, low, high, within)), capsule.radius);
+  Nearest bound = place_at(distance, segment.at(best_s), capsule.radius);
+  bound.distance -= spacing / 2;  // between two places of the coarse look
+  return bound;
 }
 
 /// A point of the palm's skin: on its dorsal or palmar face (side ±1), or on its rim at half thickness (side 0).

@@ -50,6 +50,8 @@ Options parse(const std::vector<std::string>& arguments) {
       options.rounds = number(name, value(), 1, 1000);
     else if (name == "--substeps")
       options.substeps = number(name, value(), 1, 1000);
+    else if (name == "--order")
+      options.order = number(name, value(), 1, 2);
     else if (name == "--frame-rate")
       options.frame_rate = number(name, value(), 1.0, 10000.0);
     else if (name == "--json")
@@ -71,6 +73,7 @@ Plays the benchmark scenes S1 to S6 (docs/benchmarks.md), tells what a frame cos
   --scenes S1,S2   only these
   --rounds N       plays of every scene and engine, interleaved; 5
   --substeps N     of the real-time path, a frame; 4
+  --order N        of the real-time path: 1 implicit Euler, 2 implicit midpoint; 1
   --frame-rate HZ  90
   --no-timing, --no-quality
   --trace FILE     a recorded hand, with a mug in its first grasp, in the table of the paper's Fig. 10

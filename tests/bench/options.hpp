@@ -11,6 +11,7 @@ struct Options {
   bool timing{true}, quality{true};
   int rounds{5};
   int substeps{4};  ///< of the real-time path
+  int order{1};     ///< of the real-time path
   double frame_rate{90};
   std::string json{};   ///< file to write; empty: none
   std::string trace{};  ///< a recorded hand for the table of the paper's Fig. 10

@@ -187,5 +187,25 @@ TEST(PatchOptions, RangesAreChecked) {
   rejects([](PatchOptions& o) { o.contact_offset = 0.02; });
 }
 
+// Far away the distance is a lower bound, also of a finger that points at the object: its tip is nearer than its
+// middle. The ball: |point| − R of the analytic sphere, whose polyhedron lies at most R (1 − cos 1.1 deg) = 20 µm
+// inside it.
+TEST(Nearest, FarAwayNeverOverstatesTheDistance) {
+  const double R = 0.1;
+  const auto field = voxelize(make_sphere(R, 4), {.voxel_size = 0.004, .band = 0.048});
+  const Capsule capsule{0.01, 0.007};
+  const Eigen::Vector3d outward = Eigen::Vector3d(1, 1, 1).normalized();
+  for (const Eigen::Vector3d& axis : {outward, Eigen::Vector3d(Eigen::Vector3d::UnitX()), Eigen::Vector3d(-outward)}) {
+    const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), axis);
+    for (double away = 0.02; away < 0.05; away += 0.001) {
+      const Pose X_OP{turn, (R + away) * outward};
+      double skin = 1;
+      for (const double s : {-1.0, -0.5, 0.0, 0.5, 1.0})
+        skin = std::min(skin, (X_OP * Eigen::Vector3d(0, 0, s * capsule.half_length)).norm() - R - capsule.radius);
+      EXPECT_LE(nearest(capsule, X_OP, *field).distance, skin + 30e-6) << away;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace handhold
