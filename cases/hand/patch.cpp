@@ -118,11 +118,8 @@ Nearest nearest_of_capsule(const Capsule& capsule, const Pose& X_OP, const Voxel
   // From the best place the surface is |best| away, so from anywhere in the bracket at most a spacing farther (and the
   // interpolation's error, less than a voxel).
   const double within = std::abs(best) + spacing + field.grid().spacing;
-  if (best < reach)
-    return place_at(distance, segment.at(flattest(distance, segment, low, high, within)), capsule.radius);
-  Nearest bound = place_at(distance, segment.at(best_s), capsule.radius);
-  bound.distance -= spacing / 2;  // between two places of the coarse look
-  return bound;
+  const double s = best < reach ? flattest(distance, segment, low, high, within) : best_s;
+  return place_at(distance, segment.at(s), capsule.radius);
 }
 
 /// A point of the palm's skin: on its dorsal or palmar face (side ±1), or on its rim at half thickness (side 0).
