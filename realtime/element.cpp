@@ -4,7 +4,7 @@ namespace handhold::realtime {
 
 ElementForce sticking_force(const ElementStep& s, const Trial& trial) {
   const double slope = s.h * s.stiffness + s.damping;
-  return {-trial.N * s.n + trial.t, trial.t, slope * Eigen::Matrix3d::Identity()};
+  return {-trial.N * s.n + trial.t, trial.t, slope * Eigen::Matrix3d::Identity(), false};
 }
 
 ElementForce sliding_force(const ElementStep& s, const Trial& trial, double mu_dynamic) {
@@ -19,7 +19,27 @@ ElementForce sliding_force(const ElementStep& s, const Trial& trial, double mu_d
   const Eigen::Matrix3d across =
       Eigen::Matrix3d::Identity() - s.n * s.n.transpose() - direction * direction.transpose();
   d += cap / trial.t_norm * across;
-  return {-trial.N * s.n + tangent, tangent, slope * d};
+  return {-trial.N * s.n + tangent, tangent, slope * d, true};
+}
+
+ElementForce capped_force(const ElementStep& s, const Trial& trial, double cap) {
+  const double slope = s.h * s.stiffness + s.damping;
+  const Eigen::Matrix3d normal = s.n * s.n.transpose();
+  ElementForce force;
+  force.slope = Eigen::Matrix3d::Identity() - normal;
+  force.tangent = trial.t;
+  if (trial.t_norm > cap) {
+    const Eigen::Vector3d direction = trial.t / trial.t_norm;
+    force.tangent = cap * direction;
+    force.slope = cap / trial.t_norm * (force.slope - direction * direction.transpose()).eval();
+  }
+  force.f = force.tangent;
+  if (trial.N > 0) {
+    force.f -= trial.N * s.n;
+    force.slope += normal;
+  }
+  force.slope *= slope;
+  return force;
 }
 
 }  // namespace handhold::realtime

@@ -45,10 +45,15 @@ struct ElementForce {
   Eigen::Vector3d f{Eigen::Vector3d::Zero()};        ///< [N]
   Eigen::Vector3d tangent{Eigen::Vector3d::Zero()};  ///< its tangential part [N]
   Eigen::Matrix3d slope{Eigen::Matrix3d::Zero()};    ///< [N s/m]
+  bool coupled{false};                               ///< friction at its limit μ N: slope is not symmetric
 };
 
 /// Friction limit while sliding: min(|t*|, μ_d N) along t*.
 [[nodiscard]] ElementForce sliding_force(const ElementStep& step, const Trial& trial, double mu_dynamic);
+
+/// Presses as it must and pulls sideways with min(|t*|, cap) along t*, whatever the pressure: the slope of a convex
+/// potential. `cap` >= 0 [N].
+[[nodiscard]] ElementForce capped_force(const ElementStep& step, const Trial& trial, double cap);
 
 /// The whole t*: no limit while sticking.
 [[nodiscard]] ElementForce sticking_force(const ElementStep& step, const Trial& trial);

@@ -5,59 +5,11 @@
 #include <limits>
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
-
-#include "realtime/small_solve.hpp"
 
 namespace handhold::realtime {
 namespace {
 
-using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-Matrix3d cross_matrix(const Vector3d& r) {
-  Matrix3d m;
-  m << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
-  return m;
-}
-
-/// Σ Gᵀ G slope over the linear samples, G = [1, −a×].
-Matrix6 stick_slope(const PatchStep& p) {
-  const double s = p.stiffness.slope;
-  const Matrix3d a = s * cross_matrix(p.sums.arm);
-  Matrix6 S;
-  S.topLeftCorner<3, 3>() = s * p.sums.count * Matrix3d::Identity();
-  S.topRightCorner<3, 3>() = -a;
-  S.bottomLeftCorner<3, 3>() = a;
-  S.bottomRightCorner<3, 3>() = s * (p.sums.arm_arm.trace() * Matrix3d::Identity() - p.sums.arm_arm);
-  return S;
-}
-
-/// Adds Gᵀ D G.
-void add_slope(const Vector3d& arm, const Matrix3d& D, Matrix6& S) {
-  const Matrix3d r = cross_matrix(arm);
-  const Matrix3d Dr = D * r;
-  S.topLeftCorner<3, 3>() += D;
-  S.topRightCorner<3, 3>() -= Dr;
-  S.bottomLeftCorner<3, 3>() += r * D;
-  S.bottomRightCorner<3, 3>() -= r * Dr;
-}
-
-/// Evaluates one element at a change `dv` of relative velocity; its slope is zero when apart. `touching`: what has just
-/// come in is taken to press, or else, before anything has moved, nothing would carry anything.
-void evaluate(Slider& slider, const Vector3d& dv, const Friction& friction, bool touching) {
-  slider.trial = trial(slider.element, dv);
-  slider.presses = slider.trial.N > 0 || (touching && slider.entering);
-  ElementForce force;
-  if (slider.presses && slider.trial.N <= 0)
-    force = sticking_force(slider.element, slider.trial);
-  else if (slider.presses)
-    force = slider.sliding ? sliding_force(slider.element, slider.trial, friction.mu_dynamic)
-                           : sticking_force(slider.element, slider.trial);
-  slider.f = force.f;
-  slider.tangent = force.tangent;
-  slider.slope = force.slope;
-}
 
 /// What touches while it moves sideways faster than its cone opens slides from the start: made to stick first, it would
 /// stop the body, and nothing found from there would be near the solution.
@@ -96,17 +48,6 @@ bool let_go(const PatchStep& p, const Contacts& contacts, SampleSteps& samples, 
   return any;
 }
 
-/// The slope of a slider without what its friction gains with its pressure: symmetric and never negative, so that a
-/// Newton step with it always goes downhill.
-Matrix3d lessened_slope(const Slider& slider, const Friction& friction) {
-  const double cap = friction.mu_dynamic * slider.trial.N;
-  if (!slider.sliding || slider.trial.t_norm <= cap) return slider.slope;
-  const Vector3d &n = slider.element.n, t = slider.trial.t / slider.trial.t_norm;
-  const double slope = slider.element.h * slider.element.stiffness + slider.element.damping;
-  const Matrix3d across = Matrix3d::Identity() - n * n.transpose() - t * t.transpose();
-  return slope * (n * n.transpose() + cap / slider.trial.t_norm * across);
-}
-
 /// Samples on watch that the solution brings inside become free ones; true if there was one.
 bool step_in(const PatchStep& p, double reach, const Vector3d& dv, const Vector3d& dw, const Contacts& contacts,
              const SampleSteps& samples, std::vector<Role>& role) {
@@ -123,43 +64,33 @@ bool step_in(const PatchStep& p, double reach, const Vector3d& dv, const Vector3
   return any;
 }
 
+void store(const Island& island, const std::vector<BodyStep>& bodies, std::vector<Vector6>& changes) {
+  for (std::size_t i = 0; i < changes.size(); ++i) changes[i] = bodies[std::size_t(island.bodies[i])].change;
+}
+
+void restore(const Island& island, const std::vector<Vector6>& changes, std::vector<BodyStep>& bodies) {
+  for (std::size_t i = 0; i < changes.size(); ++i) bodies[std::size_t(island.bodies[i])].change = changes[i];
+}
+
+/// Moves the frozen limits of friction by `share` of the way to what the pressures now allow: the sum of all ways [N].
+double refreeze(Island& island, double share) {
+  double change = 0;
+  for (const PatchStep& p : island.patches)
+    for (int i = p.first_slider; i < p.first_slider + p.slider_count; ++i) {
+      Slider& s = island.sliders[std::size_t(i)];
+      const double way = s.limit(p.friction) * std::max(s.trial.N, 0.0) - s.cap;
+      change += std::abs(way);
+      s.cap += share * way;
+    }
+  return change;
+}
+
 }  // namespace
 
-void PatchStep::relative(const std::vector<BodyStep>& bodies, Vector3d& dv, Vector3d& dw) const {
-  const Vector6& d = bodies[std::size_t(target)].change;
-  dv = d.head<3>();
-  dw = d.tail<3>();
-  if (source < 0) return;
-  const Vector6& e = bodies[std::size_t(source)].change;
-  dv -= e.head<3>() + e.tail<3>().cross(offset);
-  dw -= e.tail<3>();
-}
-
 void IslandSolver::reserve(int bodies) {
-  row_.assign(std::size_t(bodies), -1);
-  residual_.reserve(std::size_t(bodies));
-  correction_.reserve(std::size_t(bodies));
+  system_.reserve(bodies);
   best_.reserve(std::size_t(bodies));
-  if (bodies > 1) blocks_.reserve(bodies);
-}
-
-void IslandSolver::begin(const Island& island) {
-  const int rows = int(island.bodies.size());
-  residual_.resize(island.bodies.size());
-  correction_.resize(island.bodies.size());
-  best_.resize(island.bodies.size());
-  for (int i = 0; i < rows; ++i) row_[std::size_t(island.bodies[std::size_t(i)])] = i;
-  analysed_ = rows < 2;
-}
-
-/// Once an island, and only if there is anything to solve for.
-void IslandSolver::analyse(const Island& island) {
-  if (analysed_) return;
-  analysed_ = true;
-  blocks_.begin(int(island.bodies.size()));
-  for (const PatchStep& p : island.patches)
-    if (row(p.target) >= 0 && row(p.source) >= 0) blocks_.couple(row(p.target), row(p.source));
-  blocks_.analyse();
+  frozen_.reserve(std::size_t(bodies));
 }
 
 /// Makes sliders of all samples that are neither idle nor linear, in the order of slots, and sums the linear ones.
@@ -189,137 +120,93 @@ void IslandSolver::collect(Island& island, double reach, const Contacts& contact
   }
 }
 
-/// Puts a patch's slope against its relative velocity where its bodies' velocities are: T = [1, −offset×; 0, 1] takes
-/// the source's to the target's centre.
-void IslandSolver::add_stiffness(const PatchStep& p, double reach, const Matrix6& S) {
-  const int t = row(p.target), s = row(p.source);
-  if (residual_.size() == 1) {
-    if (t >= 0) dense_ += reach * S;
-    if (s < 0) return;
+/// Newton with the cones as they are. It jumps between pieces of the law, so the residual may rise for a while: up to
+/// `patience` steps without a fall to a quarter.
+bool IslandSolver::newton(Island& island, std::vector<BodyStep>& bodies, int patience, bool first) {
+  bool corrected = false;
+  double least = std::numeric_limits<double>::infinity();
+  for (int waits = 0; waits <= patience;) {
+    if (corrected && island.sliders.empty()) return true;  // a linear system is solved by one step, to rounding
+    const Cones cones = first && !corrected ? Cones::touching : Cones::live;
+    const bool balanced = system_.balance(island, bodies, tolerance_, cones);
+    if (cones == Cones::live || island.sliders.empty()) {
+      if (balanced) return true;
+      remember_best(island, bodies);
+      waits = system_.squared_residual() < least ? 0 : waits + 1;
+      if (waits == 0) least = system_.squared_residual() / 16;
+    }
+    system_.correct(island, bodies);
+    corrected = true;
+    ++iterations_;
   }
-  Matrix6 T = Matrix6::Identity();
-  T.topRightCorner<3, 3>() = -cross_matrix(p.offset);
-  if (residual_.size() == 1) {
-    dense_ += reach * T.transpose() * S * T;
-    return;
-  }
-  if (t >= 0) blocks_.block(t, t) += reach * S;
-  if (s < 0) return;
-  const Matrix6 ST = reach * S * T;
-  const Matrix6 TS = T.transpose() * S;
-  blocks_.block(s, s).noalias() += T.transpose() * ST;
-  if (t < 0) return;
-  blocks_.block(t, s) -= ST;
-  blocks_.block(s, t) -= reach * TS;
+  return false;
 }
 
-/// Residual at the present changes of velocity; true if it is next to nothing against the sizes of its terms.
-bool IslandSolver::is_balanced(Island& island, double reach, const std::vector<BodyStep>& bodies, double tolerance,
-                               bool touching) {
-  constexpr double rounding = 4e-16;
-  double size = 0, noise = 0;
-  for (std::size_t i = 0; i < island.bodies.size(); ++i) {
-    const BodyStep& body = bodies[std::size_t(island.bodies[i])];
-    residual_[i] = body.rest;
-    if (!body.change.isZero(0)) residual_[i] -= body.mass * body.change;
-    size += reach * body.external.norm() + body.momentum.norm();
-  }
-  for (PatchStep& p : island.patches) {
-    if (p.sums.count == 0 && p.slider_count == 0) continue;
-    Vector3d dv, dw;
-    p.relative(bodies, dv, dw);
-    const double s = p.stiffness.slope;
-    const Matrix3d& aa = p.sums.arm_arm;
-    Vector3d force = p.sums.force - s * (p.sums.count * dv + dw.cross(p.sums.arm));
-    Vector3d torque = p.sums.torque - s * (p.sums.arm.cross(dv) + aa.trace() * dw - aa * dw);
-    size += reach * force.norm();
-    for (int i = p.first_slider; i < p.first_slider + p.slider_count; ++i) {
-      Slider& slider = island.sliders[std::size_t(i)];
-      evaluate(slider, dv + dw.cross(slider.arm), p.friction, touching);
-      force += slider.f;
-      torque += slider.arm.cross(slider.f);
-      size += reach * slider.f.norm();
-    }
-    // What rounding of positions makes of forces.
-    const double extent = bodies[std::size_t(p.target)].center.norm() + p.offset.norm();
-    const double stiff = reach * p.stiffness.k * extent;
-    noise += (p.sums.count + p.slider_count) * stiff * stiff;
-    if (const int t = row(p.target); t >= 0) {
-      residual_[std::size_t(t)].head<3>() += reach * force;
-      residual_[std::size_t(t)].tail<3>() += reach * torque;
-    }
-    if (const int t = row(p.source); t >= 0) {
-      residual_[std::size_t(t)].head<3>() -= reach * force;
-      residual_[std::size_t(t)].tail<3>() -= reach * (torque + p.offset.cross(force));
+/// With frozen cones: down a convex potential, whose slope along a Newton step falls steadily from what it is at its
+/// start. Too long a step has it below −1/2 of that; regula falsi finds a shorter one.
+void IslandSolver::descend(Island& island, std::vector<BodyStep>& bodies) {
+  constexpr int most_steps = 60, most_cuts = 30;
+  for (int i = 0; i < most_steps; ++i) {
+    if (system_.balance(island, bodies, tolerance_, Cones::frozen)) return;
+    system_.correct(island, bodies);
+    ++iterations_;
+    const double start = system_.fall();
+    double low = 0, high = 1, fall_low = start, fall_high = 0, at = 1;
+    for (int cut = 0; cut < most_cuts; ++cut) {
+      (void)system_.balance(island, bodies, tolerance_, Cones::frozen);
+      const double fall = system_.fall();
+      if (fall >= -0.5 * start && (at == 1 || fall <= 0.5 * start)) break;
+      (fall < 0 ? high : low) = at;
+      (fall < 0 ? fall_high : fall_low) = fall;
+      const double share = std::clamp(fall_low / (fall_low - fall_high), 0.1, 0.9);
+      const double next = low + share * (high - low);
+      system_.step_back(island, bodies, at - next);
+      at = next;
     }
   }
-  squared_ = 0;
-  for (std::size_t i = 0; i < residual_.size(); ++i) {
-    if (!bodies[std::size_t(island.bodies[i])].turns) residual_[i].tail<3>().setZero();
-    squared_ += residual_[i].squaredNorm();
+}
+
+void IslandSolver::remember_best(const Island& island, const std::vector<BodyStep>& bodies) {
+  if (!(system_.squared_residual() < best_squared_)) return;
+  best_squared_ = system_.squared_residual();
+  store(island, bodies, best_);
+}
+
+/// δ for the present roles.
+bool IslandSolver::find_balance(Island& island, std::vector<BodyStep>& bodies, bool first) {
+  constexpr int eager = 8, patience = 3, most_freezes = 400, between = 6;
+  best_squared_ = std::numeric_limits<double>::infinity();
+  if (newton(island, bodies, eager, first)) return true;
+
+  restore(island, best_, bodies);
+  (void)system_.balance(island, bodies, tolerance_, Cones::live);
+  for (Slider& s : island.sliders) s.cap = 0;
+  double share = 1, last = std::numeric_limits<double>::infinity();
+  refreeze(island, 1);
+  double goal = last;
+  for (int freeze = 1; freeze <= most_freezes; ++freeze) {
+    descend(island, bodies);
+    const double change = refreeze(island, share);
+    // Limits that overshoot are led more gently.
+    if (change > 0.9 * last) share = std::max(0.7 * share, 0.02);
+    last = change;
+    if (change > goal && freeze % between != 0) continue;
+    goal = 0.1 * change;
+    store(island, bodies, frozen_);
+    if (newton(island, bodies, patience, false)) return true;
+    restore(island, frozen_, bodies);
   }
-  // Angular rows are in N m s: an arm of a metre would make them comparable, objects are smaller, so this is the safe
-  // side.
-  return std::sqrt(squared_) <= tolerance * size + rounding * std::sqrt(noise);
-}
-
-/// The system of a Newton step; true if it is symmetric.
-bool IslandSolver::add_slopes(const Island& island, double reach, const std::vector<BodyStep>& bodies, bool exact) {
-  analyse(island);
-  const bool one = island.bodies.size() == 1;
-  if (one)
-    dense_ = bodies[std::size_t(island.bodies[0])].mass;
-  else
-    blocks_.clear();
-  for (std::size_t i = 0; !one && i < island.bodies.size(); ++i)
-    blocks_.block(int(i), int(i)) = bodies[std::size_t(island.bodies[i])].mass;
-  bool symmetric = true;
-  for (const PatchStep& p : island.patches) {
-    if (p.sums.count == 0 && p.slider_count == 0) continue;
-    Matrix6 S = Matrix6::Zero();
-    if (p.sums.count > 0) S = stick_slope(p);
-    for (int i = p.first_slider; i < p.first_slider + p.slider_count; ++i) {
-      const Slider& slider = island.sliders[std::size_t(i)];
-      if (!slider.presses) continue;
-      symmetric = symmetric && !(exact && slider.sliding);
-      add_slope(slider.arm, exact ? slider.slope : lessened_slope(slider, p.friction), S);
-    }
-    add_stiffness(p, reach, S);
-  }
-  return symmetric;
-}
-
-/// One Newton step.
-void IslandSolver::correct(const Island& island, std::vector<BodyStep>& bodies, bool symmetric) {
-  if (island.bodies.size() > 1)
-    blocks_.solve(residual_);
-  else if (symmetric)
-    residual_[0] = solve_symmetric(dense_, residual_[0]);
-  else
-    residual_[0] = dense_.partialPivLu().solve(Vector6(residual_[0]));
-  for (std::size_t i = 0; i < residual_.size(); ++i) {
-    BodyStep& body = bodies[std::size_t(island.bodies[i])];
-    if (!body.turns) residual_[i].tail<3>().setZero();
-    body.change += residual_[i];
-  }
-  std::swap(correction_, residual_);
-}
-
-/// Takes back `share` of the last Newton step.
-void IslandSolver::step_back(const Island& island, std::vector<BodyStep>& bodies, double share) const {
-  for (std::size_t i = 0; i < correction_.size(); ++i)
-    bodies[std::size_t(island.bodies[i])].change -= share * correction_[i];
-}
-
-void IslandSolver::remember(const Island& island, const std::vector<BodyStep>& bodies) {
-  if (!(squared_ < best_squared_)) return;
-  best_squared_ = squared_;
-  for (std::size_t i = 0; i < best_.size(); ++i) best_[i] = bodies[std::size_t(island.bodies[i])].change;
+  return false;
 }
 
 SolverReport IslandSolver::solve(Island& island, double reach, std::vector<BodyStep>& bodies, Contacts& contacts,
                                  SampleSteps& samples, std::vector<Role>& role, const SolverOptions& options) {
-  begin(island);
+  constexpr int most_rounds = 100;
+  tolerance_ = options.tolerance;
+  iterations_ = 0;
+  best_.resize(island.bodies.size());
+  frozen_.resize(island.bodies.size());
+  system_.begin(island, reach);
   collect(island, reach, contacts, samples, role);
   const auto evaluate_linear = [&] {
     bool again = false;
@@ -335,60 +222,23 @@ SolverReport IslandSolver::solve(Island& island, double reach, std::vector<BodyS
     }
     return again;
   };
-  constexpr int most_halvings = 8, eager = 8, patience = 24, most_rounds = 100;
-  SolverReport report{0, false};
-  bool corrected = false;
-  double last = 0;
-  best_squared_ = std::numeric_limits<double>::infinity();
-  int halvings = 0;
-  int rounds = 0;  // of roles
-  for (int tries = 0; tries <= options.max_iterations && rounds < most_rounds; ++tries, ++report.iterations) {
-    // A linear system is solved by one step, to rounding.
-    bool solved = island.sliders.empty() && corrected;
-    if (!solved) {
-      const bool first = tries == 0 && rounds == 0;
-      const bool balanced = is_balanced(island, reach, bodies, options.tolerance, first);
-      solved = balanced && (!first || island.sliders.empty());
-    }
-    if (!solved) {
-      // Friction that changes its side looks flat from both: a full step goes from one to the other for ever.
-      remember(island, bodies);
-      const bool worse = tries >= eager && corrected && !(squared_ <= last) && halvings < most_halvings;
-      if (worse) {
-        step_back(island, bodies, std::ldexp(0.5, -halvings++));
-        continue;
-      }
-      last = squared_;
-      halvings = 0;
-      const bool exact = tries < patience;
-      correct(island, bodies, add_slopes(island, reach, bodies, exact));
-      corrected = true;
-      continue;
-    }
+  bool converged = false;
+  for (int round = 0; round < most_rounds && !converged; ++round) {
+    if (!find_balance(island, bodies, round == 0)) break;
     if (break_away(island)) {
       for (const Slider& s : island.sliders) role[s.slot] = s.sliding ? Role::sliding : Role::free;
-      corrected = false;
-      best_squared_ = std::numeric_limits<double>::infinity();
-      tries = 0;
-      ++rounds;
       continue;
     }
-    report.converged = !evaluate_linear();
-    if (report.converged) break;
-    collect(island, reach, contacts, samples, role);
-    corrected = false;
-    best_squared_ = std::numeric_limits<double>::infinity();
-    tries = 0;
-    ++rounds;
+    converged = !evaluate_linear();
+    if (!converged) collect(island, reach, contacts, samples, role);
   }
-  if (!report.converged) {  // the best that was found, and what the samples do there
-    for (std::size_t i = 0; i < island.bodies.size() && std::isfinite(best_squared_); ++i)
-      bodies[std::size_t(island.bodies[i])].change = best_[i];
-    (void)is_balanced(island, reach, bodies, options.tolerance, false);
+  if (!converged) {  // the best that was found, and what the samples do there
+    if (std::isfinite(best_squared_)) restore(island, best_, bodies);
+    (void)system_.balance(island, bodies, tolerance_, Cones::live);
     evaluate_linear();
   }
-  for (const int body : island.bodies) row_[std::size_t(body)] = -1;
-  return report;
+  system_.end(island);
+  return {iterations_, converged};
 }
 
 }  // namespace handhold::realtime

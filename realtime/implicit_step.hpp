@@ -1,80 +1,28 @@
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
-#include <Eigen/Core>
-
-#include "cases/scene/friction.hpp"
-#include "realtime/block_system.hpp"
-#include "realtime/body_step.hpp"
-#include "realtime/element.hpp"
-#include "realtime/patch_kernel.hpp"
+#include "realtime/island.hpp"
+#include "realtime/island_system.hpp"
 
 namespace handhold::realtime {
 
-/// What the solve makes of a sample.
-enum class Role : std::uint8_t {
-  idle,     ///< out of reach
-  watch,    ///< apart, and to stay so unless the solution brings it in
-  linear,   ///< stuck before, and so far in this step
-  free,     ///< may stick, or let go: just came in, or was found to pull
-  sliding,  ///< slid before, or left its static cone: at most μ_d N
-};
-
-/// A sample whose force is not linear in the velocities: what it is given, and what comes out.
-struct Slider {
-  std::size_t slot{};
-  ElementStep element{};
-  Eigen::Vector3d arm{Eigen::Vector3d::Zero()};      ///< p − centre of mass of its body, in W [m]
-  bool sliding{false};                               ///< in: see Role; out: slides
-  bool entering{false};                              ///< in: was apart
-  bool presses{false};                               ///< out: has a force
-  Trial trial{};                                     ///< out: at the solution
-  Eigen::Vector3d f{Eigen::Vector3d::Zero()};        ///< out: force on the object [N]
-  Eigen::Vector3d tangent{Eigen::Vector3d::Zero()};  ///< out: its tangential part [N]
-  Eigen::Matrix3d slope{Eigen::Matrix3d::Zero()};    ///< out: −df/dv [N s/m]
-};
-
-/// One patch in one step.
-struct PatchStep {
-  int patch{};               ///< in Contacts
-  int target{}, source{-1};  ///< bodies; source -1: a hand's
-  Stiffness stiffness{};
-  Friction friction{};
-  Eigen::Vector3d offset{Eigen::Vector3d::Zero()};  ///< from the source's centre of mass to the target's
-  StickSums sums{};
-  int first_slider{}, slider_count{};
-  StickResult stuck{};  ///< out: of the linear samples
-  bool watches{false};  ///< has samples on watch
-
-  /// Adds a change of the bodies' velocities up to that of p against the target: dv + dw × arm.
-  void relative(const std::vector<BodyStep>& bodies, Eigen::Vector3d& dv, Eigen::Vector3d& dw) const;
-};
-
 struct SolverOptions {
-  int max_iterations{60};
   double tolerance{1e-13};  ///< of the momentum balance, relative to the sum of its terms' sizes
 };
 
 struct SolverReport {
-  int iterations{};
+  int iterations{};  ///< Newton steps
   bool converged{true};
 };
 
-/// Bodies that are coupled through contacts with each other, with all their patches. Without such contacts, one body.
-struct Island {
-  std::vector<int> bodies{};  ///< those that move
-  std::vector<PatchStep> patches{};
-  std::vector<Slider> sliders{};
-};
-
-/// Solves the momentum balances (see BodyStep) of an island for the changes δ of its bodies' velocities.
+/// Solves the momentum balances of an island for the changes δ of its bodies' velocities.
 ///
-/// What sticks is a spring and a damper, linear in δ, and enters as one sum a patch. What slides, may let go or has
-/// just come in is iterated: semi-smooth Newton on touching (N >= 0) and sliding (|f_t| <= μ_d N). At a solution,
-/// sticking samples outside the static cone start to slide, never back within a step, so the loop ends. One body is a
-/// dense 6 x 6 system, several are a BlockSystem.
+/// For given roles, semi-smooth Newton on touching (N >= 0) and on the cones (|f_t| <= μ N) finds δ in a few steps.
+/// Friction that grows with pressure can send it in circles; then the limits of friction are frozen, which leaves a
+/// convex problem that Newton cannot miss, and found anew from its solution, until Newton gets home from there.
+/// At a solution, sticking samples outside the static cone start to slide, samples that pull let go and those on watch
+/// come in: never back within a step, so the rounds end.
 class IslandSolver {
  public:
   /// Room for islands of `bodies` bodies in all.
@@ -85,26 +33,20 @@ class IslandSolver {
                      SampleSteps& samples, std::vector<Role>& role, const SolverOptions& options);
 
  private:
+  using Changes = std::vector<Vector6>;
+
   void collect(Island& island, double reach, const Contacts& contacts, const SampleSteps& samples,
                const std::vector<Role>& role) const;
-  void begin(const Island& island);
-  [[nodiscard]] bool is_balanced(Island& island, double reach, const std::vector<BodyStep>& bodies, double tolerance,
-                                 bool touching);
-  void analyse(const Island& island);
-  [[nodiscard]] bool add_slopes(const Island& island, double reach, const std::vector<BodyStep>& bodies, bool exact);
-  void remember(const Island& island, const std::vector<BodyStep>& bodies);
-  void add_stiffness(const PatchStep& patch, double reach, const Matrix6& S);
-  void correct(const Island& island, std::vector<BodyStep>& bodies, bool symmetric);
-  void step_back(const Island& island, std::vector<BodyStep>& bodies, double share) const;
-  [[nodiscard]] int row(int body) const { return body < 0 ? -1 : row_[std::size_t(body)]; }
+  [[nodiscard]] bool find_balance(Island& island, std::vector<BodyStep>& bodies, bool first);
+  [[nodiscard]] bool newton(Island& island, std::vector<BodyStep>& bodies, int patience, bool first);
+  void descend(Island& island, std::vector<BodyStep>& bodies);
+  void remember_best(const Island& island, const std::vector<BodyStep>& bodies);
 
-  std::vector<int> row_{};  // of a body in the system, -1: it does not move
-  std::vector<Vector6> residual_{}, correction_{}, best_{};
+  IslandSystem system_{};
+  double tolerance_{};
+  int iterations_{};
+  Changes best_{}, frozen_{};  // δ: of the least residual; of the last frozen problem
   double best_squared_{};
-  double squared_{};  // norm of the residual
-  Matrix6 dense_{Matrix6::Zero()};
-  BlockSystem blocks_{};
-  bool analysed_{false};
 };
 
 }  // namespace handhold::realtime

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "cases/scene/friction.hpp"
+#include "realtime/body_step.hpp"
+#include "realtime/element.hpp"
+#include "realtime/patch_kernel.hpp"
+
+namespace handhold::realtime {
+
+/// What the solve makes of a sample.
+enum class Role : std::uint8_t {
+  idle,     ///< out of reach
+  watch,    ///< apart, and to stay so unless the solution brings it in
+  linear,   ///< stuck before, and so far in this step
+  free,     ///< may stick, or let go: just came in, or was found to pull
+  sliding,  ///< slid before, or left its static cone: at most μ_d N
+};
+
+/// A sample whose force is not linear in the velocities: what it is given, and what comes out.
+struct Slider {
+  std::size_t slot{};
+  ElementStep element{};
+  Eigen::Vector3d arm{Eigen::Vector3d::Zero()};  ///< p − centre of mass of its body, in W [m]
+  bool sliding{false};                           ///< in: see Role; out: slides
+  bool entering{false};                          ///< in: was apart
+  bool presses{false};                           ///< out: has a force
+  bool coupled{false};  ///< out: friction is at its limit and grows with the pressure: slope is not symmetric
+  double cap{};         ///< limit of friction while it is frozen [N]
+  Trial trial{};        ///< out: at the solution
+  Eigen::Vector3d f{Eigen::Vector3d::Zero()};        ///< out: force on the object [N]
+  Eigen::Vector3d tangent{Eigen::Vector3d::Zero()};  ///< out: its tangential part [N]
+  Eigen::Matrix3d slope{Eigen::Matrix3d::Zero()};    ///< out: −df/dv [N s/m]
+
+  [[nodiscard]] double limit(const Friction& friction) const {
+    return sliding ? friction.mu_dynamic : friction.mu_static;
+  }
+};
+
+/// One patch in one step.
+struct PatchStep {
+  int patch{};               ///< in Contacts
+  int target{}, source{-1};  ///< bodies; source -1: a hand's
+  Stiffness stiffness{};
+  Friction friction{};
+  Eigen::Vector3d offset{Eigen::Vector3d::Zero()};  ///< from the source's centre of mass to the target's
+  StickSums sums{};
+  int first_slider{}, slider_count{};
+  StickResult stuck{};  ///< out: of the linear samples
+  bool watches{false};  ///< has samples on watch
+
+  /// Adds a change of the bodies' velocities up to that of p against the target: dv + dw × arm.
+  void relative(const std::vector<BodyStep>& bodies, Eigen::Vector3d& dv, Eigen::Vector3d& dw) const;
+};
+
+/// Bodies that are coupled through contacts with each other, with all their patches. Without such contacts, one body.
+struct Island {
+  std::vector<int> bodies{};  ///< those that move
+  std::vector<PatchStep> patches{};
+  std::vector<Slider> sliders{};
+};
+
+}  // namespace handhold::realtime
