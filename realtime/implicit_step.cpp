@@ -72,17 +72,27 @@ void restore(const Island& island, const std::vector<Vector6>& changes, std::vec
   for (std::size_t i = 0; i < changes.size(); ++i) bodies[std::size_t(island.bodies[i])].change = changes[i];
 }
 
-/// Moves the frozen limits of friction by `share` of the way to what the pressures now allow: the sum of all ways [N].
-double refreeze(Island& island, double share) {
-  double change = 0;
+/// What the frozen limits of friction are away from what the pressures now allow.
+struct Way {
+  double length{};  ///< Σ |way| [N]
+  double onward{};  ///< Σ way · the way of last time [N²]
+};
+
+Way find_way(Island& island) {
+  Way all;
   for (const PatchStep& p : island.patches)
     for (int i = p.first_slider; i < p.first_slider + p.slider_count; ++i) {
       Slider& s = island.sliders[std::size_t(i)];
       const double way = s.limit(p.friction) * std::max(s.trial.N, 0.0) - s.cap;
-      change += std::abs(way);
-      s.cap += share * way;
+      all.length += std::abs(way);
+      all.onward += way * s.way;
+      s.way = way;
     }
-  return change;
+  return all;
+}
+
+void refreeze(Island& island, double share) {
+  for (Slider& s : island.sliders) s.cap += share * s.way;
 }
 
 }  // namespace
@@ -180,18 +190,17 @@ bool IslandSolver::find_balance(Island& island, std::vector<BodyStep>& bodies, b
 
   restore(island, best_, bodies);
   (void)system_.balance(island, bodies, tolerance_, Cones::live);
-  for (Slider& s : island.sliders) s.cap = 0;
-  double share = 1, last = std::numeric_limits<double>::infinity();
-  refreeze(island, 1);
-  double goal = last;
+  for (Slider& s : island.sliders) s.cap = s.way = 0;
+  double share = 1, goal = 0.1 * find_way(island).length;
   for (int freeze = 1; freeze <= most_freezes; ++freeze) {
+    refreeze(island, share);
     descend(island, bodies);
-    const double change = refreeze(island, share);
-    // Limits that overshoot are led more gently.
-    if (change > 0.9 * last) share = std::max(0.7 * share, 0.02);
-    last = change;
-    if (change > goal && freeze % between != 0) continue;
-    goal = 0.1 * change;
+    const Way way = find_way(island);
+    // Limits that swing to and fro are led gently, those that run away are let go to where all sticks or nothing
+    // touches.
+    share = way.onward < 0 ? std::max(0.5 * share, 0.01) : std::min(1.3 * share, 1.0);
+    if (way.length > goal && freeze % between != 0) continue;
+    goal = 0.1 * way.length;
     store(island, bodies, frozen_);
     if (newton(island, bodies, patience, false)) return true;
     restore(island, frozen_, bodies);

@@ -30,7 +30,7 @@ struct Slider {
   bool entering{false};                          ///< in: was apart
   bool presses{false};                           ///< out: has a force
   bool coupled{false};  ///< out: friction is at its limit and grows with the pressure: slope is not symmetric
-  double cap{};         ///< limit of friction while it is frozen [N]
+  double cap{}, way{};  ///< limit of friction while it is frozen, and how far it is from μ N [N]
   Trial trial{};        ///< out: at the solution
   Eigen::Vector3d f{Eigen::Vector3d::Zero()};        ///< out: force on the object [N]
   Eigen::Vector3d tangent{Eigen::Vector3d::Zero()};  ///< out: its tangential part [N]

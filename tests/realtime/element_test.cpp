@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 namespace handhold::realtime {
@@ -45,6 +46,37 @@ TEST(Element, SlidingForceLiesOnTheKineticCone) {
 TEST(Element, SlidingForceNeverExceedsTheSpring) {
   const Trial r = trial(pressed, Eigen::Vector3d::Zero());
   EXPECT_EQ(sliding_force(pressed, r, 50).f, sticking_force(pressed, r).f);
+}
+
+TEST(Element, CappedForceKeepsItsFrictionWhateverThePressure) {
+  const Trial r = trial(pressed, Eigen::Vector3d::Zero());
+  const ElementForce f = capped_force(pressed, r, 0.02);
+  EXPECT_NEAR(f.tangent.norm(), 0.02, 1e-16);
+  EXPECT_NEAR(f.f.dot(pressed.n), -r.N, 1e-15);
+  // Pulled off at 3 m/s along n: nothing presses, friction stays.
+  const ElementForce apart = capped_force(pressed, trial(pressed, -3 * pressed.n), 0.02);
+  EXPECT_NEAR((apart.f - apart.tangent).norm(), 0, 1e-16);
+  EXPECT_NEAR(apart.tangent.norm(), 0.02, 1e-16);
+}
+
+/// Force of a convex potential: its slope is symmetric, never negative, and its derivative by central differences.
+TEST(Element, CappedForceFallsFromAConvexPotential) {
+  const Eigen::Vector3d v{0.02, 0.01, -0.03};
+  const double step = 1e-6;  // difference error ~ step^2 and rounding 1e-16 / step
+  for (const double cap : {0.0, 0.02, 50.0}) {
+    for (const double off : {0.0, 3.0}) {  // pressing, and pulled off
+      const Eigen::Vector3d at = v - off * pressed.n;
+      const ElementForce force = capped_force(pressed, trial(pressed, at), cap);
+      EXPECT_NEAR((force.slope - force.slope.transpose()).norm(), 0, 1e-15);
+      EXPECT_GE(force.slope.eigenvalues().real().minCoeff(), -1e-15);
+      for (int i = 0; i < 3; ++i) {
+        const Eigen::Vector3d dv = step * Eigen::Vector3d::Unit(i);
+        const Eigen::Vector3d up = capped_force(pressed, trial(pressed, at + dv), cap).f;
+        const Eigen::Vector3d down = capped_force(pressed, trial(pressed, at - dv), cap).f;
+        EXPECT_NEAR(((up - down) / (2 * step) + force.slope.col(i)).norm(), 0, 1e-8) << cap << " " << off << " " << i;
+      }
+    }
+  }
 }
 
 /// The derivative that Newton uses, against central differences of the force itself.
