@@ -152,12 +152,16 @@ bool IslandSolver::newton(Island& island, std::vector<BodyStep>& bodies, int pat
   return false;
 }
 
-/// With frozen cones: down a convex potential, whose slope along a Newton step falls steadily from what it is at its
-/// start. Too long a step has it below −1/2 of that; regula falsi finds a shorter one.
+/// With frozen cones, far enough for the limits to be worth finding anew: down a convex potential, whose slope along a
+/// Newton step falls steadily from what it is at its start. Too long a step has it below −1/2 of that; regula falsi
+/// finds a shorter one.
 void IslandSolver::descend(Island& island, std::vector<BodyStep>& bodies) {
   constexpr int most_steps = 60, most_cuts = 30;
+  double enough = 0;
   for (int i = 0; i < most_steps; ++i) {
     if (system_.balance(island, bodies, tolerance_, Cones::frozen)) return;
+    if (i == 0) enough = 0.01 * system_.squared_residual();
+    if (system_.squared_residual() < enough) return;
     system_.correct(island, bodies);
     ++iterations_;
     const double start = system_.fall();
@@ -184,7 +188,7 @@ void IslandSolver::remember_best(const Island& island, const std::vector<BodySte
 
 /// δ for the present roles.
 bool IslandSolver::find_balance(Island& island, std::vector<BodyStep>& bodies, bool first) {
-  constexpr int eager = 8, patience = 3, most_freezes = 400, between = 6;
+  constexpr int eager = 6, patience = 2, most_freezes = 400, between = 6;
   best_squared_ = std::numeric_limits<double>::infinity();
   if (newton(island, bodies, eager, first)) return true;
 
