@@ -1,83 +1,189 @@
 #include "realtime/block_system.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cstring>
 
 #include "realtime/small_solve.hpp"
 
 namespace handhold::realtime {
+namespace {
+
+constexpr int word_bits = 64;
+constexpr int done = -1;  // degree of a row that is eliminated
+
+int words_for(int rows) { return (rows + word_bits - 1) / word_bits; }
+
+/// Two numbers: a vector register of the least machine.
+using Lanes = double __attribute__((vector_size(2 * sizeof(double))));
+
+[[gnu::always_inline]] inline Lanes load(const double* p) {
+  Lanes v;
+  std::memcpy(&v, p, sizeof v);
+  return v;
+}
+[[gnu::always_inline]] inline void store(double* p, Lanes v) { std::memcpy(p, &v, sizeof v); }
+
+enum class Right { as_is, transposed };
+
+/// C -= A B, or A Bᵀ. Two columns at a time, so that they and one of A stay in registers: elimination is nothing else.
+template <Right right>
+void subtract_product(const Matrix6& A, const Matrix6& B, Matrix6& C) {
+  for (int j = 0; j < 6; j += 2) {
+    double *c = C.data() + 6 * j, *d = c + 6;
+    Lanes c0 = load(c), c2 = load(c + 2), c4 = load(c + 4), d0 = load(d), d2 = load(d + 2), d4 = load(d + 4);
+    for (int k = 0; k < 6; ++k) {
+      const double* a = A.data() + 6 * k;
+      const Lanes a0 = load(a), a2 = load(a + 2), a4 = load(a + 4);
+      const double p = right == Right::as_is ? B(k, j) : B(j, k), q = right == Right::as_is ? B(k, j + 1) : B(j + 1, k);
+      c0 -= a0 * p, c2 -= a2 * p, c4 -= a4 * p;
+      d0 -= a0 * q, d2 -= a2 * q, d4 -= a4 * q;
+    }
+    store(c, c0), store(c + 2, c2), store(c + 4, c4);
+    store(d, d0), store(d + 2, d2), store(d + 4, d4);
+  }
+}
+
+void put(std::uint64_t* set, int i) { set[i / word_bits] |= std::uint64_t(1) << i % word_bits; }
+void take(std::uint64_t* set, int i) { set[i / word_bits] &= ~(std::uint64_t(1) << i % word_bits); }
+
+}  // namespace
 
 void BlockSystem::reserve(int rows) {
   const std::size_t n = std::size_t(rows);
   blocks_.resize(n * n);
-  linked_.resize(n * n);
-  order_.reserve(n);
-  degree_.reserve(n);
-  later_.reserve(n * n);
-  later_start_.reserve(n + 1);
+  slots_.resize(n * n);
+  factors_.resize(n);
+  for (std::vector<Word>* sets : {&couplings_, &analysed_, &linked_}) sets->resize(n * std::size_t(words_for(rows)));
+  for (std::vector<int>* list : {&order_, &place_, &degree_, &later_start_}) list->reserve(n + 1);
+  later_.reserve(n * n / 2);
 }
 
 void BlockSystem::begin(int rows) {
   rows_ = rows;
-  std::fill_n(linked_.begin(), std::size_t(rows) * std::size_t(rows), std::uint8_t(0));
+  words_ = words_for(rows);
+  std::fill_n(couplings_.begin(), rows * words_, Word(0));
 }
 
-void BlockSystem::couple(int i, int j) { linked_[index(i, j)] = linked_[index(j, i)] = 1; }
+void BlockSystem::couple(int i, int j) {
+  put(set_of(couplings_, i), j);
+  put(set_of(couplings_, j), i);
+}
 
 void BlockSystem::analyse() {
-  constexpr int done = -1;
+  const auto end = couplings_.begin() + rows_ * words_;
+  if (rows_ == analysed_rows_ && std::equal(couplings_.begin(), end, analysed_.begin())) return;
+  analysed_rows_ = rows_;
+  std::copy(couplings_.begin(), end, analysed_.begin());
+  std::copy(couplings_.begin(), end, linked_.begin());
+  order_rows();
+  place_blocks();
+}
+
+void BlockSystem::order_rows() {
   order_.clear();
   later_.clear();
   later_start_.assign(1, 0);
-  degree_.assign(std::size_t(rows_), 0);
-  for (int i = 0; i < rows_; ++i) degree_[i] = int(std::count(&linked_[index(i, 0)], &linked_[index(i, 0)] + rows_, 1));
+  place_.resize(std::size_t(rows_));
+  degree_.resize(std::size_t(rows_));
+  const auto count = [&](int i) {
+    const Word* set = set_of(linked_, i);
+    int sum = 0;
+    for (int w = 0; w < words_; ++w) sum += std::popcount(set[w]);
+    return sum;
+  };
+  for (int i = 0; i < rows_; ++i) degree_[i] = count(i);
   for (int step = 0; step < rows_; ++step) {
     int row = done;
     for (int i = 0; i < rows_; ++i)
       if (degree_[i] != done && (row == done || degree_[i] < degree_[row])) row = i;
-    const std::size_t first = later_.size();
-    for (int j = 0; j < rows_; ++j)
-      if (linked_[index(row, j)] && degree_[j] != done) later_.push_back(j);
     degree_[row] = done;
+    place_[row] = step;
     order_.push_back(row);
+    const std::size_t first = later_.size();
+    const Word* links = set_of(linked_, row);
+    for (int w = 0; w < words_; ++w)
+      for (Word left = links[w]; left != 0; left &= left - 1) later_.push_back(w * word_bits + std::countr_zero(left));
     later_start_.push_back(int(later_.size()));
     // Its neighbours become neighbours of each other.
-    for (std::size_t a = first; a < later_.size(); ++a) {
-      --degree_[later_[a]];
-      for (std::size_t b = a + 1; b < later_.size(); ++b) {
-        if (linked_[index(later_[a], later_[b])]) continue;
-        couple(later_[a], later_[b]);
-        ++degree_[later_[a]];
-        ++degree_[later_[b]];
-      }
+    for (std::size_t at = first; at < later_.size(); ++at) {
+      Word* set = set_of(linked_, later_[at]);
+      for (int w = 0; w < words_; ++w) set[w] |= links[w];
+      take(set, later_[at]);
+      take(set, row);
+      degree_[later_[at]] = count(later_[at]);
     }
   }
 }
 
-void BlockSystem::clear() {
-  for (int i = 0; i < rows_; ++i)
-    for (int j = 0; j < rows_; ++j)
-      if (i == j || linked_[index(i, j)]) blocks_[index(i, j)].setZero();
-}
-
-void BlockSystem::solve(std::vector<Vector6>& b) {
+void BlockSystem::place_blocks() {
+  const std::size_t n = std::size_t(rows_), pairs = later_.size();
+  used_ = n + 2 * pairs;
   for (int step = 0; step < rows_; ++step) {
     const int k = order_[step];
-    const Matrix6 inverse = inverse_of(block(k, k));
-    block(k, k) = inverse;
-    for (int at = later_start_[step]; at < later_start_[step + 1]; ++at) {
+    slots_[index(k, k)] = std::uint32_t(step);
+    const auto first = later_.begin() + later_start_[step], last = later_.begin() + later_start_[step + 1];
+    std::sort(first, last, [&](int i, int j) { return place_[i] < place_[j]; });
+    for (auto at = first; at != last; ++at) {
+      const std::size_t entry = n + std::size_t(at - later_.begin());
+      slots_[index(*at, k)] = std::uint32_t(entry);
+      slots_[index(k, *at)] = std::uint32_t(entry + pairs);
+    }
+  }
+}
+
+void BlockSystem::clear() { std::fill_n(blocks_.begin(), used_, Matrix6::Zero()); }
+
+void BlockSystem::solve(std::vector<Vector6>& b, bool symmetric) { symmetric ? solve_ldl(b) : solve_lu(b); }
+
+void BlockSystem::solve_lu(std::vector<Vector6>& b) {
+  const std::size_t n = std::size_t(rows_), pairs = later_.size();
+  for (int step = 0; step < rows_; ++step) {
+    const int k = order_[step], first = later_start_[step], last = later_start_[step + 1];
+    const Matrix6 inverse = inverse_of(blocks_[step]);
+    blocks_[step] = inverse;
+    for (int at = first; at < last; ++at) {
       const int i = later_[at];
-      const Matrix6 factor = block(i, k) * inverse;
+      const Matrix6 factor = blocks_[n + at] * inverse;
       b[i].noalias() -= factor * b[k];
-      for (int to = later_start_[step]; to < later_start_[step + 1]; ++to)
-        block(i, later_[to]).noalias() -= factor * block(k, later_[to]);
+      for (int to = first; to < last; ++to)
+        subtract_product<Right::as_is>(factor, blocks_[n + pairs + to], block(i, later_[to]));
     }
   }
   for (int step = rows_ - 1; step >= 0; --step) {
     const int k = order_[step];
     Vector6 right = b[k];
     for (int at = later_start_[step]; at < later_start_[step + 1]; ++at)
-      right.noalias() -= block(k, later_[at]) * b[later_[at]];
-    b[k].noalias() = block(k, k) * right;
+      right.noalias() -= blocks_[n + pairs + at] * b[later_[at]];
+    b[k].noalias() = blocks_[step] * right;
+  }
+}
+
+/// A = L D Lᵀ. Blocks below the diagonal become those of L D, those above it L's own.
+void BlockSystem::solve_ldl(std::vector<Vector6>& b) {
+  const std::size_t n = std::size_t(rows_), pairs = later_.size();
+  for (int step = 0; step < rows_; ++step) {
+    const int k = order_[step], first = later_start_[step], last = later_start_[step + 1];
+    SymmetricFactor& diagonal = factors_[step];
+    diagonal.factor(blocks_[step]);
+    diagonal.forward(b[k]);
+    for (int at = first; at < last; ++at) {
+      const int i = later_[at];
+      Matrix6 &below = blocks_[n + at], &scaled = blocks_[n + pairs + at];
+      diagonal.forward_right(below);
+      scaled = below * diagonal.inverse.asDiagonal();
+      for (int to = first; to < at; ++to)
+        subtract_product<Right::transposed>(scaled, blocks_[n + to], block(i, later_[to]));
+      subtract_product<Right::transposed>(scaled, below, blocks_[place_[i]]);
+      b[i].noalias() -= scaled * b[k];
+    }
+    b[k].array() *= diagonal.inverse.array();
+  }
+  for (int step = rows_ - 1; step >= 0; --step) {
+    const int k = order_[step];
+    for (int at = later_start_[step]; at < later_start_[step + 1]; ++at)
+      b[k].noalias() -= blocks_[n + pairs + at].transpose() * b[later_[at]];
+    factors_[step].backward(b[k]);
   }
 }
 

@@ -4,12 +4,14 @@
 #include <vector>
 
 #include "realtime/rigid_body.hpp"
+#include "realtime/small_solve.hpp"
 
 namespace handhold::realtime {
 
-/// Sparse linear system of 6 x 6 blocks, one row a body: A x = b by block LU, eliminating bodies with few neighbours
-/// first (minimum degree; the lower row on ties). Its pattern is symmetric, its values need not be. No pivoting between
-/// blocks: their diagonal ones hold the masses.
+/// Sparse linear system of 6 x 6 blocks, one row a body: A x = b, eliminating bodies with few neighbours first (minimum
+/// degree; the lower row on ties). Its pattern is symmetric, its values need not be: block LU, or block LDLᵀ where they
+/// are. No pivoting between blocks: their diagonal ones hold the masses. Only the blocks of the pattern are stored, and
+/// the order of elimination is kept as long as the pattern stays the same, as in a tower at rest.
 class BlockSystem {
  public:
   /// Room for `rows` bodies: all that is ever allocated.
@@ -18,26 +20,46 @@ class BlockSystem {
   /// Starts a system of `rows` rows without couplings.
   void begin(int rows);
   void couple(int i, int j);
-  /// Orders the rows, once all couplings are known.
+  /// Orders the rows, once all couplings are known. Nothing to do if they are those of the last system.
   void analyse();
 
   /// Sets every block to zero.
   void clear();
   /// Row i, column j: i == j, or a coupled pair.
-  [[nodiscard]] Matrix6& block(int i, int j) { return blocks_[index(i, j)]; }
+  [[nodiscard]] Matrix6& block(int i, int j) { return blocks_[slot(i, j)]; }
 
-  /// Solves in place; the values of the blocks are lost.
-  void solve(std::vector<Vector6>& b);
+  /// Solves in place; the values of the blocks are lost. `symmetric`: A is symmetric and positive definite but for
+  /// rounding; of each coupled pair only one block is then read.
+  void solve(std::vector<Vector6>& b, bool symmetric = false);
 
  private:
-  [[nodiscard]] std::size_t index(int i, int j) const { return std::size_t(i) * std::size_t(rows_) + std::size_t(j); }
+  using Word = std::uint64_t;  // of a set of rows
 
-  int rows_{};
-  std::vector<Matrix6> blocks_{};       // dense table, of which only the pattern is touched
-  std::vector<std::uint8_t> linked_{};  // pattern, with fill
-  std::vector<int> order_{};            // of elimination
+  void order_rows();
+  void place_blocks();
+  void solve_lu(std::vector<Vector6>& b);
+  void solve_ldl(std::vector<Vector6>& b);
+
+  [[nodiscard]] std::size_t index(int i, int j) const { return std::size_t(i) * std::size_t(rows_) + std::size_t(j); }
+  [[nodiscard]] std::size_t slot(int i, int j) const { return slots_[index(i, j)]; }
+  /// Rows that row i is coupled to.
+  [[nodiscard]] Word* set_of(std::vector<Word>& sets, int i) const { return &sets[std::size_t(i * words_)]; }
+
+  int rows_{}, words_{};
+  std::vector<Word> couplings_{}, analysed_{};  // of the new system; of the last one that was analysed
+  int analysed_rows_{-1};
+  std::vector<Word> linked_{};  // couplings, with fill
+  std::vector<int> order_{};    // of elimination
+  std::vector<int> place_{};    // of a row in it
   std::vector<int> degree_{};
-  std::vector<int> later_{}, later_start_{};  // neighbours of a row that are eliminated after it
+  std::vector<int> later_{}, later_start_{};  // neighbours of a row that are eliminated after it, in that order
+
+  // Diagonal blocks in order of elimination, then the blocks (later row, earlier column), then (earlier, later), both
+  // as in later_.
+  std::vector<Matrix6> blocks_{};
+  std::vector<std::uint32_t> slots_{};      // where block (i, j) is
+  std::size_t used_{};                      // blocks
+  std::vector<SymmetricFactor> factors_{};  // of the diagonal blocks, in order of elimination
 };
 
 }  // namespace handhold::realtime

@@ -51,6 +51,69 @@ TEST(BlockSystem, SolvesWhatDenseEliminationSolves) {
   }
 }
 
+/// A symmetric and diagonally dominant, so positive definite, system of `rows` rows with couplings between neighbours
+/// and some others.
+struct Symmetric {
+  std::vector<std::pair<int, int>> couplings{};
+  Eigen::MatrixXd A{};
+  std::vector<Vector6> b{};
+
+  Symmetric(int rows, unsigned every, std::mt19937& random) {
+    A = Eigen::MatrixXd::Zero(6 * rows, 6 * rows);
+    for (int i = 0; i < rows; ++i) {
+      const Matrix6 B = random_block(random);
+      A.block<6, 6>(6 * i, 6 * i) = B + B.transpose() + 20 * rows * Matrix6::Identity();
+      b.push_back(random_block(random).col(0));
+      for (int j = 0; j < i; ++j) {
+        if (j != i - 1 && random() % every != 0) continue;
+        couplings.emplace_back(i, j);
+        A.block<6, 6>(6 * i, 6 * j) = random_block(random);
+        A.block<6, 6>(6 * j, 6 * i) = A.block<6, 6>(6 * i, 6 * j).transpose();
+      }
+    }
+  }
+
+  double error(BlockSystem& system, bool symmetric) const {
+    const int rows = int(b.size());
+    system.begin(rows);
+    for (const auto& [i, j] : couplings) system.couple(i, j);
+    system.analyse();
+    system.clear();
+    for (int i = 0; i < rows; ++i) system.block(i, i) = A.block<6, 6>(6 * i, 6 * i);
+    for (const auto& [i, j] : couplings) {
+      system.block(i, j) = A.block<6, 6>(6 * i, 6 * j);
+      system.block(j, i) = A.block<6, 6>(6 * j, 6 * i);
+    }
+    std::vector<Vector6> x = b;
+    system.solve(x, symmetric);
+    Eigen::VectorXd right(6 * rows), found(6 * rows);
+    for (int i = 0; i < rows; ++i) {
+      right.segment<6>(6 * i) = b[std::size_t(i)];
+      found.segment<6>(6 * i) = x[std::size_t(i)];
+    }
+    return (A.llt().solve(right) - found).norm();
+  }
+};
+
+/// Eigen's dense Cholesky factorisation says what the solution is. 70 rows: sets of rows of more than one word.
+TEST(BlockSystem, SolvesSymmetricSystemsByTheLowerBlocks) {
+  std::mt19937 random(5);
+  BlockSystem system;
+  system.reserve(70);
+  for (const int rows : {2, 5, 17, 70})
+    EXPECT_LT(Symmetric(rows, 8, random).error(system, true), 1e-14) << rows;  // rounding, |x| is at most 0.05
+}
+
+/// The order of elimination is kept for the same couplings, and only for them.
+TEST(BlockSystem, NoticesOtherCouplings) {
+  std::mt19937 random(9);
+  BlockSystem system;
+  system.reserve(12);
+  const Symmetric sparse(12, 1000, random), dense(12, 2, random), small(7, 2, random);
+  for (const Symmetric* one : {&sparse, &sparse, &dense, &sparse, &small, &dense, &small})
+    for (const bool symmetric : {false, true}) EXPECT_LT(one->error(system, symmetric), 1e-14);
+}
+
 TEST(SmallSolve, InvertsAndSolvesPositiveDefiniteMatrices) {
   std::mt19937 random(7);
   for (int i = 0; i < 20; ++i) {
