@@ -208,7 +208,7 @@ void IslandSystem::correct(const Island& island, std::vector<BodyStep>& bodies) 
   const bool symmetric = add_slopes(island, bodies);
   step_ = residual_;
   if (island.bodies.size() > 1)
-    blocks_.solve(step_);
+    blocks_.solve(step_, symmetric);
   else if (symmetric)
     step_[0] = solve_symmetric(dense_, step_[0]);
   else
