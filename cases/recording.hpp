@@ -50,7 +50,7 @@ struct ContactState {
   Eigen::Vector3d p_W{Eigen::Vector3d::Zero()};  ///< sample point on the phalanx, or on the other body
   Eigen::Vector3d C_W{Eigen::Vector3d::Zero()};  ///< anchor on the object
   Eigen::Vector3d n_W{Eigen::Vector3d::Zero()};  ///< outward normal at the anchor
-  Eigen::Vector3d f_W{Eigen::Vector3d::Zero()};  ///< force on the object at C [N]
+  Eigen::Vector3d f_W{Eigen::Vector3d::Zero()};  ///< on the object, on a line through p [N]
 };
 
 /// Energy book, [J]. A lack of balance is an error of ours: kinetic + potential + elastic + dissipated − hand_work −
