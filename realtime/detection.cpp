@@ -43,12 +43,12 @@ void World::detect(double h) {
   }
   sweep(h);
   for (const int i : candidates_) watch_hand(i, h);
-  const auto bodies = std::uint32_t(bodies_.size());
-  for (const std::uint32_t pair : body_candidates_) watch_pair(by_rank_[pair / bodies], by_rank_[pair % bodies], h);
+  for (const std::uint32_t pair : body_pairs_) watch_pair(by_rank_[pair >> 16], by_rank_[pair & 0xffff], h);
   for (const int i : active_patches_) {
     const PatchSlot& p = patch(i);
-    if (p.active && p.of_body() && !watched_[std::size_t(i)] && !contacts_.touches(p)) pairs_.give_back(i, contacts_);
+    if (p.active && p.of_body() && !watched_[std::size_t(i)] && !contacts_.touches(p)) give_back(i);
   }
+  if (!regroup_) return;
   std::sort(active_patches_.begin(), active_patches_.end());
   active_patches_.erase(std::unique(active_patches_.begin(), active_patches_.end()), active_patches_.end());
   std::erase_if(active_patches_, [&](int i) { return !patch(i).active; });
@@ -64,51 +64,66 @@ Pose World::end_pose(int body, double h) const {
 /// Finds the patches of phalanges, and the pairs of bodies, that may come near in this step.
 void World::sweep(double h) {
   candidates_.clear();
-  body_candidates_.clear();
-  const int bodies = int(bodies_.size());
-  const auto offer = [&](int phalanx, int body) {
-    const int first = patches_from_[std::size_t(phalanx)];
-    if (first < 0) return;
-    const PatchSlot& p = patch(first + body);
-    if (!p.active && !is_far(p, proximity_[std::size_t(first + body)].reach(), h)) candidates_.push_back(first + body);
-  };
   const int phalanges = int(patches_from_.size());
-  if (bodies == 1) {
+  const auto offer = [&](int i, int phalanx) {
+    if (!next_[std::size_t(phalanx / phalanx_count)].present) return;
+    const PatchSlot& p = patch(i);
+    if (!p.active && !is_far(p, proximity_[std::size_t(i)].reach(), h)) candidates_.push_back(i);
+  };
+  if (bodies_.size() == 1) {
     for (int i = 0; i < phalanges; ++i)
-      if (next_[std::size_t(i / phalanx_count)].present) offer(i, 0);
+      if (patches_from_[std::size_t(i)] >= 0) offer(patches_from_[std::size_t(i)], i);
     return;
   }
-  for (int i = 0; i < bodies; ++i) {
-    const RigidBody& body = bodies_[std::size_t(i)];
-    const BodyStep& s = steps_[std::size_t(i)];
-    const Eigen::AlignedBox3d bounds = source(i).field->bounds();
+  place_boxes(h);
+  if (broad_phase_.outgrown()) find_pairs();
+  for (const int i : hand_pairs_) offer(i, patch(i).hand * phalanx_count + patch(i).phalanx);
+}
+
+/// Boxes that hold what moves during a step: bodies first, phalanges after them.
+void World::place_boxes(double h) {
+  const std::size_t bodies = bodies_.size();
+  for (std::size_t i = 0; i < bodies; ++i) {
+    const RigidBody& body = bodies_[i];
+    const BodyStep& s = steps_[i];
+    const Eigen::AlignedBox3d bounds = source(int(i)).field->bounds();
+    const double turn = h * body.w.norm() * body.radius;
     const Eigen::Vector3d half = s.R.cwiseAbs() * (0.5 * bounds.sizes());
-    const double turn = h * body.w.norm() * body.radius + touching;
-    const Eigen::Vector3d end = end_pose(i, h) * bounds.center() + h * free_change(body, s, {.h = h});
-    broad_phase_.box(std::size_t(i)) =
-        box_about(body.X_WO * bounds.center(), end, half + Eigen::Vector3d::Constant(turn));
+    const Eigen::Vector3d start = body.X_WO.p + s.R * bounds.center();
+    const Eigen::Vector3d move = h * (body.v + free_change(body, s, {.h = h}));
+    broad_phase_.place(i, box_about(start, start + move, half + Eigen::Vector3d::Constant(turn + touching)),
+                       move.norm() + turn);
   }
-  for (int i = 0; i < phalanges; ++i) {
-    Box& box = broad_phase_.box(std::size_t(bodies + i));
-    const int first = patches_from_[std::size_t(i)];
-    const HandFrame& hand = next_[std::size_t(i / phalanx_count)];
+  for (std::size_t i = 0; i < patches_from_.size(); ++i) {
+    const int first = patches_from_[i];
+    const HandFrame& hand = next_[i / phalanx_count];
     if (first < 0 || !hand.present) {
-      box = nowhere();
+      broad_phase_.place(bodies + i, nowhere(), 0);
       continue;
     }
     const double reach = proximity_[std::size_t(first)].reach() + scene_.patch.contact_offset;
-    box = box_about(start_pose(patch(first)).p, hand.X_WP[std::size_t(i % phalanx_count)].p,
-                    Eigen::Vector3d::Constant(reach));
+    const Eigen::Vector3d &start = start_pose(patch(first)).p, &end = hand.X_WP[i % phalanx_count].p;
+    broad_phase_.place(bodies + i, box_about(start, end, Eigen::Vector3d::Constant(reach)), (end - start).norm());
   }
+}
+
+/// Pairs of boxes that may meet before they are looked for again.
+void World::find_pairs() {
+  const int bodies = int(bodies_.size());
+  hand_pairs_.clear();
+  body_pairs_.clear();
   broad_phase_.visit([&](int i, int j) {
     if (i >= bodies) return;
-    if (j >= bodies) return offer(j - bodies, i);
+    if (j >= bodies) {
+      hand_pairs_.push_back(patches_from_[std::size_t(j - bodies)] + i);
+      return;
+    }
     if (!bodies_[std::size_t(i)].moves() && !bodies_[std::size_t(j)].moves()) return;
     const auto [low, high] = std::minmax(rank_[std::size_t(i)], rank_[std::size_t(j)]);
-    body_candidates_.push_back(std::uint32_t(low) * std::uint32_t(bodies) + std::uint32_t(high));
+    body_pairs_.push_back(std::uint32_t(low) << 16 | std::uint32_t(high));
   });
-  std::sort(candidates_.begin(), candidates_.end());
-  std::sort(body_candidates_.begin(), body_candidates_.end());
+  std::sort(hand_pairs_.begin(), hand_pairs_.end());
+  std::sort(body_pairs_.begin(), body_pairs_.end());
 }
 
 /// A ball around the phalanx stays clear of the body's bounding box.
@@ -137,6 +152,7 @@ void World::watch_hand(int i, double h) {
 void World::seed(PatchSlot& p, const Pose& X_OP, const Nearest& nearest) {
   const Patch points = seed_patch(p.phalanx, X_OP, nearest, scene_.patch);
   p.active = true;
+  regroup_ = true;
   for (int i = 0; i < p.count; ++i) {
     contacts_.p_P.set(p.slot(i), points.p_P[std::size_t(i)]);
     contacts_.mode[p.slot(i)] = Mode::apart;
@@ -146,6 +162,7 @@ void World::seed(PatchSlot& p, const Pose& X_OP, const Nearest& nearest) {
 
 void World::drop(PatchSlot& p) {
   p.active = false;
+  regroup_ = true;
   for (int i = 0; i < p.count; ++i) contacts_.mode[p.slot(i)] = Mode::apart;
 }
 
@@ -215,7 +232,13 @@ int World::take_pair(int target, int from) {
   const int taken = pairs_.take(scene_, target, from, contacts_);
   for (int i = 0; i < patch(taken).count; ++i) near_[patch(taken).slot(i)] = 0;
   active_patches_.push_back(taken);
+  regroup_ = true;
   return taken;
+}
+
+void World::give_back(int taken) {
+  pairs_.give_back(taken, contacts_);
+  regroup_ = true;
 }
 
 int World::root(int body) {
@@ -224,7 +247,10 @@ int World::root(int body) {
 }
 
 /// Bodies that move and touch are one island, named by its lowest rank; everything in it is sorted by rank.
+/// Islands stay the same as long as no patch comes or goes.
 void World::find_islands() {
+  if (!regroup_) return;
+  regroup_ = false;
   for (std::size_t r = 0; r < parent_.size(); ++r) parent_[r] = int(r);
   const auto moves = [&](int body) { return bodies_[std::size_t(body)].moves(); };
   for (const int i : active_patches_) {

@@ -56,7 +56,8 @@ World::World(const Scene& scene, const Options& options) : scene_(scene), option
   pairs_.resize(bodies);
   pairs_.add_free(contacts_, contacts_.hand_patches);
   for (const Body& body : scene.bodies) outward_.push_back(outward_of(body));
-  body_candidates_.reserve(bodies * (bodies - 1) / 2);
+  body_pairs_.reserve(bodies * (bodies - 1) / 2);
+  hand_pairs_.reserve(contacts_.hand_patches);
   candidates_.reserve(contacts_.hand_patches);
   steps_.resize(bodies);
   turned_.assign(bodies, 0);

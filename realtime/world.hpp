@@ -35,7 +35,8 @@ void validate(const Options& options);
 /// (Höll et al. 2018, sections 3.2 to 3.5, with the convergent element of docs/contact-law.md).
 ///
 /// Deterministic: the same bits for every order of bodies in the scene and of phalanges. Nothing is allocated after
-/// `start`, unless a body has more than 16 neighbours at one time. Between two frames the hands move along HandPath.
+/// `start`, unless bodies have more than 32 neighbours on average, or samples change their mode more often than four
+/// times a frame on average. Between two frames the hands move along HandPath.
 class World {
  public:
   /// Throws InputError for a scene without bodies, or with more bodies or hands than a SampleId can name.
@@ -86,6 +87,8 @@ class World {
   // detection.cpp
   void detect(double h);
   void sweep(double h);
+  void place_boxes(double h);
+  void find_pairs();
   [[nodiscard]] bool is_far(const PatchSlot& patch, double reach, double h) const;
   [[nodiscard]] Pose end_pose(int body, double h) const;
   void watch_hand(int patch, double h);
@@ -94,6 +97,7 @@ class World {
   void watch_pair(int a, int b, double h);
   void watch_samples(int target, int from, double coming, double& clearance);
   int take_pair(int target, int from);
+  void give_back(int patch);
   void find_islands();
   int root(int body);
 
@@ -138,9 +142,11 @@ class World {
 
   BroadPhase broad_phase_;
   BodyPairs pairs_;
-  std::vector<int> candidates_;                 // patches of hands that may come near
-  std::vector<std::uint32_t> body_candidates_;  // pairs of bodies, as rank · bodies + rank
+  std::vector<int> hand_pairs_;            // patches of hands whose boxes meet those of bodies
+  std::vector<std::uint32_t> body_pairs_;  // bodies whose boxes meet, as rank << 16 | rank
+  std::vector<int> candidates_;            // patches of hands that may come near in this step
   std::vector<int> active_patches_;
+  bool regroup_{true};  // patches came or went since islands were found
   std::uint32_t step_{};
 
   std::vector<BodyStep> steps_;
