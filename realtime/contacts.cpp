@@ -5,8 +5,6 @@
 namespace handhold::realtime {
 namespace {
 
-constexpr std::size_t neighbours = 16;  // that a body has at one time before the pool must grow
-
 const GivenPatch* find_given(const Hand& hand, int phalanx) {
   for (const GivenPatch& given : hand.given)
     if (given.phalanx == phalanx) return &given;
@@ -38,6 +36,14 @@ void add_pool(const Scene& scene, std::size_t patches, Contacts& contacts) {
   resize(contacts, std::size_t(next));
 }
 
+/// Patches that pairs of bodies can need at one time: two a pair of neighbours. However one big body may be surrounded,
+/// bodies that do not overlap have few neighbours on average: a cube in a block of cubes has 26, if edges and corners
+/// count, and every other packing fewer. On top of that one body, the ground, may be near all others.
+std::size_t most_pairs(std::size_t bodies) {
+  constexpr std::size_t neighbours = 32;
+  return std::min(bodies * (bodies - 1), neighbours * bodies + 2 * (bodies - 1));
+}
+
 }  // namespace
 
 Contacts make_contacts(const Scene& scene) {
@@ -62,8 +68,7 @@ Contacts make_contacts(const Scene& scene) {
                            std::uint8_t(i)};
       if (patch.given) contacts.p_P.set(slot, find_given(scene.hands[patch.hand], patch.phalanx)->p_P[i]);
     }
-  const std::size_t bodies = scene.bodies.size();
-  if (most_samples(scene) > 0) add_pool(scene, bodies * std::min(bodies - 1, neighbours), contacts);
+  if (most_samples(scene) > 0) add_pool(scene, most_pairs(scene.bodies.size()), contacts);
   return contacts;
 }
 
