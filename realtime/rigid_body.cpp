@@ -25,9 +25,10 @@ RigidBody make_rigid_body(const Body& body) {
 
 Eigen::Quaterniond rotation_by(const Eigen::Vector3d& angle) {
   const double size = angle.norm();
-  const double scale = size > 1e-9 ? std::sin(0.5 * size) / size : 0.5;
+  const bool turns = size > 1e-9;  // below, the cosine is 1 to the last bit
+  const double scale = turns ? std::sin(0.5 * size) / size : 0.5;
   Eigen::Quaterniond q;
-  q.w() = std::cos(0.5 * size);
+  q.w() = turns ? std::cos(0.5 * size) : 1;
   q.vec() = scale * angle;
   return q;
 }
