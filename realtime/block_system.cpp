@@ -4,6 +4,8 @@
 #include <bit>
 #include <cstring>
 
+#include <Eigen/Geometry>
+
 #include "realtime/small_solve.hpp"
 
 namespace handhold::realtime {
@@ -42,6 +44,22 @@ void subtract_product(const Matrix6& A, const Matrix6& B, Matrix6& C) {
     store(c, c0), store(c + 2, c2), store(c + 4, c4);
     store(d, d0), store(d + 2, d2), store(d + 4, d4);
   }
+}
+
+/// A T.
+Matrix6 from_source(const Matrix6& A, const Eigen::Vector3d& r) {
+  Matrix6 B = A;
+  B.col(3) += r.y() * A.col(2) - r.z() * A.col(1);
+  B.col(4) += r.z() * A.col(0) - r.x() * A.col(2);
+  B.col(5) += r.x() * A.col(1) - r.y() * A.col(0);
+  return B;
+}
+
+/// Tᵀ A.
+Matrix6 to_source(const Matrix6& A, const Eigen::Vector3d& r) {
+  Matrix6 B = A;
+  for (int j = 0; j < 6; ++j) B.col(j).tail<3>() += r.cross(A.col(j).head<3>());
+  return B;
 }
 
 void put(std::uint64_t* set, int i) { set[i / word_bits] |= std::uint64_t(1) << i % word_bits; }
@@ -133,6 +151,16 @@ void BlockSystem::place_blocks() {
 }
 
 void BlockSystem::clear() { std::fill_n(blocks_.begin(), used_, Matrix6::Zero()); }
+
+void BlockSystem::add_contact(int target, int source, const Eigen::Vector3d& offset, const Matrix6& S) {
+  if (target >= 0) block(target, target) += S;
+  if (source < 0) return;
+  const Matrix6 ST = from_source(S, offset);
+  block(source, source) += to_source(ST, offset);
+  if (target < 0) return;
+  block(target, source) -= ST;
+  block(source, target) -= to_source(S, offset);
+}
 
 void BlockSystem::solve(std::vector<Vector6>& b, bool symmetric) { symmetric ? solve_ldl(b) : solve_lu(b); }
 

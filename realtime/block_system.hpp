@@ -28,6 +28,12 @@ class BlockSystem {
   /// Row i, column j: i == j, or a coupled pair.
   [[nodiscard]] Matrix6& block(int i, int j) { return blocks_[slot(i, j)]; }
 
+  /// Adds the slope S of a contact's force and torque about the target's centre of mass, against the relative velocity
+  /// there: `offset` leads from the source's centre to it. A body that does not move has the row -1. With
+  /// T = [1, -offset×; 0, 1], which takes the source's velocity to the target's centre, S is added to block
+  /// (target, target), Tᵀ S T to (source, source), -S T to (target, source) and -Tᵀ S to (source, target).
+  void add_contact(int target, int source, const Eigen::Vector3d& offset, const Matrix6& S);
+
   /// Solves in place; the values of the blocks are lost. `symmetric`: A is symmetric and positive definite but for
   /// rounding; of each coupled pair only one block is then read.
   void solve(std::vector<Vector6>& b, bool symmetric = false);

@@ -114,6 +114,36 @@ TEST(BlockSystem, NoticesOtherCouplings) {
     for (const bool symmetric : {false, true}) EXPECT_LT(one->error(system, symmetric), 1e-14);
 }
 
+/// Against the products of the definition, T made of what it does to unit velocities.
+TEST(BlockSystem, PutsAContactWhereItsBodiesAre) {
+  std::mt19937 random(11);
+  const Eigen::Vector3d offset = random_block(random).col(0).head<3>();
+  const Matrix6 S = random_block(random);
+  Matrix6 T;
+  for (int j = 0; j < 6; ++j) {
+    const Vector6 u = Vector6::Unit(j);
+    const Eigen::Vector3d v = u.head<3>(), w = u.tail<3>();
+    T.col(j) << v + w.cross(offset), w;  // velocity at the target's centre
+  }
+  for (const auto& [target, source] : {std::pair(0, 1), std::pair(1, 0), std::pair(-1, 0), std::pair(1, -1)}) {
+    BlockSystem system;
+    system.reserve(2);
+    system.begin(2);
+    system.couple(0, 1);
+    system.analyse();
+    system.clear();
+    system.add_contact(target, source, offset, S);
+    const int t = target < 0 ? 1 - source : target, s = 1 - t;
+    const bool moves_t = target >= 0, moves_s = source >= 0;
+    const Matrix6 zero = Matrix6::Zero(), ST = S * T, TS = T.transpose() * S, TST = T.transpose() * ST;
+    const auto same = [](const Matrix6& A, const Matrix6& B) { return (A - B).norm() < 1e-14; };  // rounding
+    EXPECT_TRUE(same(system.block(t, t), moves_t ? S : zero));
+    EXPECT_TRUE(same(system.block(s, s), moves_s ? TST : zero));
+    EXPECT_TRUE(same(system.block(t, s), moves_t && moves_s ? Matrix6(-ST) : zero));
+    EXPECT_TRUE(same(system.block(s, t), moves_t && moves_s ? Matrix6(-TS) : zero));
+  }
+}
+
 TEST(SmallSolve, InvertsAndSolvesPositiveDefiniteMatrices) {
   std::mt19937 random(7);
   for (int i = 0; i < 20; ++i) {
