@@ -110,24 +110,12 @@ void IslandSystem::analyse(const Island& island) {
 /// the source's to the target's centre.
 void IslandSystem::add_stiffness(const PatchStep& p, const Matrix6& S) {
   const int t = row(p.target), s = row(p.source);
-  if (residual_.size() == 1) {
-    if (t >= 0) dense_ += reach_ * S;
-    if (s < 0) return;
-  }
+  if (residual_.size() > 1) return blocks_.add_contact(t, s, p.offset, reach_ * S);
+  if (t >= 0) dense_ += reach_ * S;
+  if (s < 0) return;
   Matrix6 T = Matrix6::Identity();
   T.topRightCorner<3, 3>() = -cross_matrix(p.offset);
-  if (residual_.size() == 1) {
-    dense_ += reach_ * T.transpose() * S * T;
-    return;
-  }
-  if (t >= 0) blocks_.block(t, t) += reach_ * S;
-  if (s < 0) return;
-  const Matrix6 ST = reach_ * S * T;
-  const Matrix6 TS = T.transpose() * S;
-  blocks_.block(s, s).noalias() += T.transpose() * ST;
-  if (t < 0) return;
-  blocks_.block(t, s) -= ST;
-  blocks_.block(s, t) -= reach_ * TS;
+  dense_ += reach_ * T.transpose() * S * T;
 }
 
 bool IslandSystem::balance(Island& island, const std::vector<BodyStep>& bodies, double tolerance, Cones cones) {
