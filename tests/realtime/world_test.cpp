@@ -2,28 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <new>
 
 #include <gtest/gtest.h>
 
 #include "cases/catalogue/scenes.hpp"
 #include "cases/error.hpp"
+#include "tests/realtime/allocations.hpp"
 #include "tests/realtime/scenes.hpp"
-
-// Counts every operator new of the program, so that a step can be shown to make none (Eigen types of fixed size never
-// allocate, and realtime has no others).
-namespace {
-std::size_t allocations = 0;
-}
-// Not inline: gcc would take the pair for plain malloc and warn.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* p = std::malloc(size)) return p;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* p) noexcept { std::free(p); }
-[[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 
 namespace handhold::realtime {
 namespace {
@@ -140,28 +125,6 @@ TEST(World, EveryForceLiesInItsConeAndNonePulls) {
   EXPECT_GT(slipping, 0);
 }
 
-TEST(World, AllocatesNothingInAFrame) {
-  const Scene scene = pinch_scene(0.95);
-  World world = started(scene, {.substeps = 4}, 1.0 / 90);
-  const std::vector<HandFrame> hands = frames(scene, 0);
-  const std::size_t before = allocations;
-  for (int k = 0; k < 1000; ++k) world.advance(1.0 / 90, hands);
-  EXPECT_EQ(allocations, before);
-}
-
-TEST(World, AllocatesNothingWithSeveralBodiesThatFall) {
-  Scene scene = testing::blocks(4, 3);
-  const auto path = [](double t) -> Eigen::Vector3d { return {0, 0.3 * std::clamp(t, 0.0, 1.0), 0}; };
-  scene.hands = {testing::finger(path, {0.002, -0.06, 0.035}, 1)};
-  World world = started(scene, {.substeps = 1}, 1.0 / 90);
-  std::vector<std::vector<HandFrame>> hands;
-  for (int k = 0; k <= 1000; ++k) hands.push_back(frames(scene, std::min(k / 90.0, 1.0)));
-  const std::size_t before = allocations;
-  for (const auto& frame : hands) world.advance(1.0 / 90, frame);
-  EXPECT_EQ(allocations, before);
-  EXPECT_LT(world.bodies().back().X_WO.p.z(), 0.04);  // the top layer has come down
-}
-
 TEST(World, GivesTheSameBitsAgainAndForAnyOrderOfPhalanges) {
   const Scene scene = pinch_scene(0.95);
   Scene reversed = scene;
@@ -238,7 +201,7 @@ TEST(World, LetsGoOfAHandThatIsLostAndTakesItUpAgain) {
   World world = started(push.scene, {}, push.dt);
   const auto hands = push.all_frames();
   const std::vector<HandFrame> nobody(1);
-  const std::size_t before = allocations;
+  const std::size_t before = testing::allocations();
   int touches = 0, releases = 0;
   double slowest = 1, pressed = 0;
   for (int k = 1; k <= 60; ++k) {
@@ -256,7 +219,7 @@ TEST(World, LetsGoOfAHandThatIsLostAndTakesItUpAgain) {
     EXPECT_EQ(speed, slowest) << k;                 // nothing pushes, nothing brakes: no gravity
     for (std::size_t i = 0; i < world.contacts().size(); ++i) EXPECT_EQ(world.contact(i).f_W.norm(), 0);
   }
-  EXPECT_EQ(allocations, before);  // seeding, dropping and seeding again included
+  EXPECT_EQ(testing::allocations(), before);  // seeding, dropping and seeding again included
   EXPECT_GT(slowest, 0);
   EXPECT_GE(touches, 16);  // twice the eight samples of the patch
   EXPECT_GE(releases, 8);
