@@ -1,13 +1,8 @@
 #include "cases/catalogue/lively_scenes.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdint>
-#include <cstring>
 #include <iostream>
-#include <numeric>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -114,84 +109,6 @@ TEST(LivelyScenes, JengaStands) {
   expect_invariants(run, made.scene.name);
   for (std::size_t i = 1; i < run.bodies.size(); ++i)
     EXPECT_LT((run.bodies[i].X_WO.p - made.scene.bodies[i].X_WO.p).norm(), 1e-3) << i;
-}
-
-/// The knocked tower, its fingers with given samples on the side they come with: so that their order can be changed.
-Scene given_tower() {
-  Scene scene = catalogue::knocked_tower();
-  for (Hand& hand : scene.hands) hand.given.clear();
-  for (const int finger : {1, 2, 3, 4})
-    scene.hands[0].given.push_back(
-        {3 * finger + 2, catalogue::ring({0.008, 0, 0}, Vector3d::UnitX(), Vector3d::UnitY(), 0.003, 8), {}});
-  return scene;
-}
-
-using Record = std::vector<std::uint64_t>;
-
-/// All bits of what a run shows, bodies by their place in `order`.
-Record record(const Scene& scene, const std::vector<int>& order) {
-  World world = started(scene, {.substeps = 2}, dt);
-  Record bits;
-  const auto put = [&](double value) {
-    std::uint64_t raw;
-    std::memcpy(&raw, &value, sizeof raw);
-    bits.push_back(raw);
-  };
-  for (int k = 1; k <= 100; ++k) {
-    world.advance(dt, frames(scene, k * dt));
-    for (const int i : order) {
-      const RigidBody& b = world.bodies()[std::size_t(i)];
-      for (const Vector3d& v : {b.X_WO.p, b.v, b.w, Vector3d(b.X_WO.R.vec())})
-        for (const double x : {v.x(), v.y(), v.z()}) put(x);
-    }
-    const Energy e = world.energy();
-    for (const double x : {e.kinetic, e.potential, e.elastic, e.dissipated, e.hand_work}) put(x);
-    put(double(world.events().size()));
-  }
-  return bits;
-}
-
-std::vector<int> in_order(const Scene& scene) {
-  std::vector<int> order(scene.bodies.size());
-  std::iota(order.begin(), order.end(), 0);
-  return order;
-}
-
-TEST(LivelyScenes, RecordTheSameBitsAgain) {
-  const Scene scene = catalogue::knocked_tower();
-  const Record first = record(scene, in_order(scene));
-  for (int repeat = 0; repeat < 5; ++repeat) EXPECT_TRUE(record(scene, in_order(scene)) == first) << repeat;
-}
-
-TEST(LivelyScenes, RecordTheSameBitsForAnyOrderOfBodiesAndPhalanges) {
-  const Scene scene = given_tower();
-  const Record first = record(scene, in_order(scene));
-  std::vector<int> order = in_order(scene);  // body `order[i]` of the scene is the i-th of the shuffled one
-  for (int repeat = 0; repeat < 10; ++repeat) {
-    std::rotate(order.begin(), order.begin() + 3, order.end());
-    std::swap(order[1], order[5 + std::size_t(repeat % 5)]);
-    Scene shuffled = scene;
-    std::vector<int> back(order.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      shuffled.bodies[i] = scene.bodies[std::size_t(order[i])];
-      back[std::size_t(order[i])] = int(i);
-    }
-    std::vector<GivenPatch>& given = shuffled.hands[0].given;
-    std::rotate(given.begin(), given.begin() + 1 + repeat % 3, given.end());
-    if (repeat % 2) std::reverse(given.begin(), given.end());
-    EXPECT_TRUE(record(shuffled, back) == first) << repeat;
-  }
-}
-
-TEST(LivelyScenes, RecordTheSameBitsInTwoThreadsAtOnce) {
-  const Scene scene = catalogue::knocked_tower();  // both threads query the same voxels
-  const Record alone = record(scene, in_order(scene));
-  std::array<Record, 2> records;
-  std::array<std::thread, 2> threads;
-  for (int i = 0; i < 2; ++i) threads[i] = std::thread([&, i] { records[i] = record(scene, in_order(scene)); });
-  for (std::thread& thread : threads) thread.join();
-  EXPECT_TRUE(records[0] == alone);
-  EXPECT_TRUE(records[1] == alone);
 }
 
 }  // namespace
