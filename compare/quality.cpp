@@ -77,7 +77,7 @@ std::vector<Gate> gates_of(const catalogue::SlidePlan& plan, const BenchmarkScen
     return {{"distance of a block that stays", std::abs(q.distance), Bound::at_most, 1e-4, "m", Pedigree::exact,
              "L1: 0; the springs give by m g sin / K < 0.004 mm"}};
   return {{"distance error", std::abs(q.distance / plan.distance - 1), Bound::at_most, 1e-3, "", Pedigree::exact,
-           "L1; the springs' share is below 3e-4: what a block gains until it has its whole friction, and "
+           "L1; the springs' share is below 4e-4: what a block gains until it has its whole friction, and "
            "the lag mu m g / K"},
           {"sideways", q.lateral / plan.distance, Bound::at_most, 1e-3, "", Pedigree::exact,
            "friction is opposite to the velocity: the path is straight"}};

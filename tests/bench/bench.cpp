@@ -62,8 +62,8 @@ void play_once(Series& series, const Entry& entry, const Options& options) {
   if (!series.failure.empty()) return;
   try {
     if (series.engine == "realtime") {
-      series.add(
-          play_realtime(entry.benchmark.scene, entry.hands, options.frame_rate, options.substeps, options.order));
+      series.add(play_realtime(entry.benchmark.scene, entry.hands, options.frame_rate, options.substeps,
+                               order_of(options, series.scene)));
     } else {
       const PeerSetting setting = compare::peers::grip_setting(series.engine, series.scene);
       series.add(compare::peers::play(series.engine, entry.benchmark, setting, options.frame_rate, false).frame_time);
@@ -77,7 +77,7 @@ std::vector<Series> time_all(const std::map<std::string, Entry>& entries, const 
   std::vector<Series> all;
   for (const std::string& id : timed) {
     if (!wanted(options, id)) continue;
-    all.emplace_back(id, "realtime", fmt::format("substeps {}, order {}", options.substeps, options.order));
+    all.emplace_back(id, "realtime", fmt::format("substeps {}, order {}", options.substeps, order_of(options, id)));
     if (!options.peers) continue;
     for (const std::string& peer : compare::peers::peer_names())
       all.emplace_back(id, peer, compare::peers::grip_setting(peer, id).text());
@@ -101,7 +101,7 @@ Judged judge(const Entry& entry, const std::string& engine, const Options& optio
       compare::EngineOptions of_engine;
       of_engine.frame_rate = options.frame_rate;
       of_engine.substeps = options.substeps;
-      of_engine.order = options.order;
+      of_engine.order = order_of(options, entry.benchmark.id);
       recording = compare::make_engine(engine)->simulate(entry.benchmark.scene, of_engine);
     } else {
       const PeerSetting setting = compare::peers::grip_setting(engine, judged.scene);
@@ -197,9 +197,10 @@ Series time_trace(const Options& options) {
   request.object = "shape:mug";
   const Scene scene = reports::load_scenes(request).front().scene;
   const HandFrames hands = hand_frames(scene, options.frame_rate);
-  Series series("trace", "realtime", fmt::format("substeps {}, order {}", options.substeps, options.order));
+  const int order = order_of(options, "trace");
+  Series series("trace", "realtime", fmt::format("substeps {}, order {}", options.substeps, order));
   for (int round = 0; round < options.rounds; ++round)
-    series.add(play_realtime(scene, hands, options.frame_rate, options.substeps, options.order));
+    series.add(play_realtime(scene, hands, options.frame_rate, options.substeps, order));
   return series;
 }
 

@@ -28,6 +28,11 @@ std::vector<std::string> split(const std::string& text) {
 
 }  // namespace
 
+int order_of(const Options& options, std::string_view scene) {
+  if (options.order > 0) return options.order;
+  return scene.substr(0, 2) == "S3" ? 2 : 1;
+}
+
 Options parse(const std::vector<std::string>& arguments) {
   Options options;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
@@ -73,7 +78,7 @@ Plays the benchmark scenes S1 to S6 (docs/benchmarks.md), tells what a frame cos
   --scenes S1,S2   only these
   --rounds N       plays of every scene and engine, interleaved; 5
   --substeps N     of the real-time path, a frame; 4
-  --order N        of the real-time path: 1 implicit Euler, 2 implicit midpoint; 1
+  --order N        of the real-time path: 1 implicit Euler, 2 implicit midpoint; 2 for S3, else 1
   --frame-rate HZ  90
   --no-timing, --no-quality
   --trace FILE     a recorded hand, with a mug in its first grasp, in the table of the paper's Fig. 10
