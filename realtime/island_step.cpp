@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "realtime/world.hpp"
@@ -21,13 +22,19 @@ Matrix3d cross_times(const Vector3d& w, const Matrix3d& R) {
 }  // namespace
 
 void World::step_island(double h) {
-  Scheme scheme{.h = h, .theta = options_.order == 2 ? 0.5 : 1.0};
+  // A step after a jump is Euler's, too: the midpoint rule would let what the jump left ring, and where one contact has
+  // changed its mode the next one is likely to.
+  const bool smooth = options_.order == 2 && std::none_of(island_.bodies.begin(), island_.bodies.end(),
+                                                          [&](int body) { return jumped_[std::size_t(body)] != 0; });
+  Scheme scheme{.h = h, .theta = smooth ? 0.5 : 1.0};
   const auto solve = [&] {
     prepare(scheme);
     return solver_.solve(island_, scheme.reach(), steps_, contacts_, samples_, role_, options_.solver);
   };
   SolverReport report = solve();
-  if (scheme.theta < 1 && (!report.converged || changes_mode())) {
+  const bool jumps = options_.order == 2 && (!report.converged || changes_mode(scheme));
+  for (const int body : island_.bodies) jumped_[std::size_t(body)] = jumps;
+  if (smooth && jumps) {
     scheme.theta = 1;
     report = solve();
   }
@@ -166,7 +173,7 @@ Role World::role_of_corner(const PatchStep& p, std::size_t slot, const Scheme& s
 
 /// Whether any sample touches, lets go, breaks away or sticks again in the solution, or slides back at its end: the
 /// mean of a step in which sliding stops still slides.
-bool World::changes_mode() const {
+bool World::changes_mode(const Scheme& scheme) const {
   for (const PatchStep& p : island_.patches) {
     Vector3d dv, dw;
     p.relative(steps_, dv, dw);
@@ -177,7 +184,7 @@ bool World::changes_mode() const {
       const bool slides = s.sliding && s.trial.t_norm > p.friction.mu_dynamic * s.trial.N;
       const Mode next = !presses ? Mode::apart : slides ? Mode::slip : Mode::stick;
       if (next != mode) return true;
-      const Vector3d v_end = s.element.v_p - 2 * (dv + dw.cross(s.arm));
+      const Vector3d v_end = s.element.v_p - (dv + dw.cross(s.arm)) / scheme.theta;
       if (slides && s.tangent.dot(v_end) < 0) return true;
     }
   }

@@ -63,6 +63,7 @@ World::World(const Scene& scene, const Options& options) : scene_(scene), option
   turned_.assign(bodies, 0);
   moved_.assign(bodies, Eigen::Vector3d::Zero());
   changed_.assign(bodies, Eigen::Vector3d::Zero());
+  jumped_.assign(bodies, 0);
   parent_.resize(bodies);
   members_.reserve(bodies);
   island_.bodies.reserve(bodies);

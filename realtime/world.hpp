@@ -19,7 +19,8 @@ namespace handhold::realtime {
 struct Options {
   int substeps{4};  ///< a frame, 1 to 1000
   /// 1: implicit Euler. 2: implicit midpoint, but implicit Euler for bodies in a step in which one of their contacts
-  /// changes its mode: there is no second order across a jump, and an impact must not ring.
+  /// changes its mode, and in the next one: there is no second order across a jump, and an impact must not ring
+  /// (R. Rannacher, Numer. Math. 43, 1984: damping steps after a discontinuity keep the order).
   int order{1};
   double longest_bridge{0.1};  ///< a hand that is back after no longer than this came straight [s], >= 0
   SolverOptions solver{};
@@ -110,7 +111,7 @@ class World {
   [[nodiscard]] Eigen::Vector3d free_end(const PatchStep& p, std::size_t slot, const Scheme& scheme) const;
   [[nodiscard]] Role role_of_finger(const PatchStep& p, std::size_t slot, const Scheme& scheme, Anchor& anchor) const;
   [[nodiscard]] Role role_of_corner(const PatchStep& p, std::size_t slot, const Scheme& scheme, Anchor& anchor) const;
-  [[nodiscard]] bool changes_mode() const;
+  [[nodiscard]] bool changes_mode(const Scheme& scheme) const;
   void finish(const Scheme& scheme);
   void finish_slider(const PatchStep& p, const Slider& s, const Scheme& scheme);
 
@@ -153,6 +154,7 @@ class World {
   std::vector<double> turned_;            // by body: angle of the last step
   std::vector<Eigen::Vector3d> changed_;  // ... and change of velocity
   std::vector<Eigen::Vector3d> moved_;    // ... and way of the centre
+  std::vector<std::uint8_t> jumped_;      // by body, of the second order: a contact of its island changed its mode
   std::vector<int> parent_;               // of a body in its island
   std::vector<Active> active_;
   std::vector<std::pair<int, int>> members_;  // (island, rank), of every body
