@@ -55,11 +55,15 @@ Matrix6 from_source(const Matrix6& A, const Eigen::Vector3d& r) {
   return B;
 }
 
-/// Tᵀ A.
-Matrix6 to_source(const Matrix6& A, const Eigen::Vector3d& r) {
-  Matrix6 B = A;
-  for (int j = 0; j < 6; ++j) B.col(j).tail<3>() += r.cross(A.col(j).head<3>());
-  return B;
+/// B -= sign Tᵀ A.
+template <int sign>
+void subtract_at_source(const Matrix6& A, const Eigen::Vector3d& r, Matrix6& B) {
+  for (int j = 0; j < 6; ++j) {
+    const Eigen::Vector3d force = A.col(j).head<3>();
+    const Eigen::Vector3d torque = A.col(j).tail<3>() + r.cross(force);
+    B.col(j).head<3>() -= sign * force;
+    B.col(j).tail<3>() -= sign * torque;
+  }
 }
 
 void put(std::uint64_t* set, int i) { set[i / word_bits] |= std::uint64_t(1) << i % word_bits; }
@@ -136,7 +140,6 @@ void BlockSystem::order_rows() {
 
 void BlockSystem::place_blocks() {
   const std::size_t n = std::size_t(rows_), pairs = later_.size();
-  used_ = n + 2 * pairs;
   for (int step = 0; step < rows_; ++step) {
     const int k = order_[step];
     slots_[index(k, k)] = std::uint32_t(step);
@@ -150,19 +153,23 @@ void BlockSystem::place_blocks() {
   }
 }
 
-void BlockSystem::clear() { std::fill_n(blocks_.begin(), used_, Matrix6::Zero()); }
+void BlockSystem::clear(bool symmetric) {
+  symmetric_ = symmetric;
+  std::fill_n(blocks_.begin(), order_.size() + (symmetric ? 1 : 2) * later_.size(), Matrix6::Zero());
+}
 
 void BlockSystem::add_contact(int target, int source, const Eigen::Vector3d& offset, const Matrix6& S) {
   if (target >= 0) block(target, target) += S;
   if (source < 0) return;
   const Matrix6 ST = from_source(S, offset);
-  block(source, source) += to_source(ST, offset);
+  subtract_at_source<-1>(ST, offset, block(source, source));
   if (target < 0) return;
-  block(target, source) -= ST;
-  block(source, target) -= to_source(S, offset);
+  const bool target_first = place_[target] < place_[source];
+  if (!symmetric_ || !target_first) block(target, source) -= ST;
+  if (!symmetric_ || target_first) subtract_at_source<1>(S, offset, block(source, target));
 }
 
-void BlockSystem::solve(std::vector<Vector6>& b, bool symmetric) { symmetric ? solve_ldl(b) : solve_lu(b); }
+void BlockSystem::solve(std::vector<Vector6>& b) { symmetric_ ? solve_ldl(b) : solve_lu(b); }
 
 void BlockSystem::solve_lu(std::vector<Vector6>& b) {
   const std::size_t n = std::size_t(rows_), pairs = later_.size();

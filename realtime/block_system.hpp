@@ -23,8 +23,9 @@ class BlockSystem {
   /// Orders the rows, once all couplings are known. Nothing to do if they are those of the last system.
   void analyse();
 
-  /// Sets every block to zero.
-  void clear();
+  /// Sets every block to zero. `symmetric`: A will be symmetric and positive definite, but for rounding; then `solve`
+  /// reads only one block of each coupled pair.
+  void clear(bool symmetric = false);
   /// Row i, column j: i == j, or a coupled pair.
   [[nodiscard]] Matrix6& block(int i, int j) { return blocks_[slot(i, j)]; }
 
@@ -34,9 +35,8 @@ class BlockSystem {
   /// (target, target), Tᵀ S T to (source, source), -S T to (target, source) and -Tᵀ S to (source, target).
   void add_contact(int target, int source, const Eigen::Vector3d& offset, const Matrix6& S);
 
-  /// Solves in place; the values of the blocks are lost. `symmetric`: A is symmetric and positive definite but for
-  /// rounding; of each coupled pair only one block is then read.
-  void solve(std::vector<Vector6>& b, bool symmetric = false);
+  /// Solves in place; the values of the blocks are lost.
+  void solve(std::vector<Vector6>& b);
 
  private:
   using Word = std::uint64_t;  // of a set of rows
@@ -64,7 +64,7 @@ class BlockSystem {
   // as in later_.
   std::vector<Matrix6> blocks_{};
   std::vector<std::uint32_t> slots_{};      // where block (i, j) is
-  std::size_t used_{};                      // blocks
+  bool symmetric_{false};                   // the last third is not in use
   std::vector<SymmetricFactor> factors_{};  // of the diagonal blocks, in order of elimination
 };
 

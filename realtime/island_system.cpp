@@ -170,13 +170,14 @@ bool IslandSystem::balance(Island& island, const std::vector<BodyStep>& bodies, 
 bool IslandSystem::add_slopes(const Island& island, const std::vector<BodyStep>& bodies) {
   analyse(island);
   const bool one = island.bodies.size() == 1;
+  const bool symmetric = std::none_of(island.sliders.begin(), island.sliders.end(),
+                                      [](const Slider& s) { return s.presses && s.coupled; });
   if (one)
     dense_ = bodies[std::size_t(island.bodies[0])].mass;
   else
-    blocks_.clear();
+    blocks_.clear(symmetric);
   for (std::size_t i = 0; !one && i < island.bodies.size(); ++i)
     blocks_.block(int(i), int(i)) = bodies[std::size_t(island.bodies[i])].mass;
-  bool symmetric = true;
   for (const PatchStep& p : island.patches) {
     if (p.sums.count == 0 && p.slider_count == 0) continue;
     Matrix6 S = Matrix6::Zero();
@@ -184,7 +185,6 @@ bool IslandSystem::add_slopes(const Island& island, const std::vector<BodyStep>&
     for (int i = p.first_slider; i < p.first_slider + p.slider_count; ++i) {
       const Slider& slider = island.sliders[std::size_t(i)];
       if (!slider.presses) continue;
-      symmetric = symmetric && !slider.coupled;
       add_slope(slider.arm, slider.slope, S);
     }
     add_stiffness(p, S);
@@ -196,7 +196,7 @@ void IslandSystem::correct(const Island& island, std::vector<BodyStep>& bodies) 
   const bool symmetric = add_slopes(island, bodies);
   step_ = residual_;
   if (island.bodies.size() > 1)
-    blocks_.solve(step_, symmetric);
+    blocks_.solve(step_);
   else if (symmetric)
     step_[0] = solve_symmetric(dense_, step_[0]);
   else
