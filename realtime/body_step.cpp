@@ -13,19 +13,23 @@ constexpr double no_turn = 1e-12;
 
 }  // namespace
 
-BodyStep predict(const RigidBody& body, const Scheme& scheme, const Eigen::Vector3d& gravity, const Load& load,
-                 bool held) {
-  BodyStep s;
+void predict(const RigidBody& body, const Scheme& scheme, const Eigen::Vector3d& gravity, const Load& load, bool held,
+             BodyStep& s) {
   s.X_WO = body.X_WO;
   const double reach = scheme.reach(), place = scheme.place();
   const bool spins = place > 0 && body.turns() && !body.w.isZero(0);
   const Eigen::Matrix3d R0 = body.X_WO.R.toRotationMatrix();
   s.R = spins ? (rotation_by(place * body.w) * body.X_WO.R).toRotationMatrix() : R0;
+  const bool turned_before = s.turned;
   s.turned = body.turns() && (reach - place) * body.w.norm() > no_turn;
-  if (s.turned) s.turn = rotation_by((reach - place) * body.w).toRotationMatrix();
+  if (s.turned)
+    s.turn = rotation_by((reach - place) * body.w).toRotationMatrix();
+  else if (turned_before)
+    s.turn.setIdentity();
   s.arm_O = s.R * body.center_O;
   s.center = body.X_WO.p + R0 * body.center_O + place * body.v;
-  if (!body.moves()) return s;
+  if (!body.moves()) return;
+  s.change.setZero();
 
   s.held = held;
   s.turns = body.turns();
@@ -42,10 +46,9 @@ BodyStep predict(const RigidBody& body, const Scheme& scheme, const Eigen::Vecto
   s.rest = s.momentum + reach * s.external;
   s.rest.head<3>() -= grown * body.mass * body.v;
   s.rest.tail<3>() -= s.mass.bottomRightCorner<3, 3>() * body.w;
-  if (s.turns) return s;
+  if (s.turns) return;
   s.rest.tail<3>().setZero();
   s.mass.bottomRightCorner<3, 3>() = no_turning * Eigen::Matrix3d::Identity();
-  return s;
 }
 
 Eigen::Vector3d free_change(const RigidBody& body, const BodyStep& step, const Scheme& scheme) {
@@ -58,8 +61,8 @@ void move(RigidBody& body, const BodyStep& step, const Scheme& scheme) {
   const Vector6 u = step.velocity();
   const Eigen::Vector3d center = body.center() + scheme.h * u.head<3>();
   // The momentum at θ h, without what the drag's factor added.
-  const Matrix6 M = step.mass / (1 + scheme.reach() * step.drag);
-  const Vector6 at_theta = M * u;
+  const Vector6 at_theta =
+      step.drag == 0 ? Vector6(step.mass * u) : Vector6(step.mass / (1 + scheme.reach() * step.drag) * u);
   const Vector6 momentum = scheme.theta == 1 ? at_theta : Vector6(2 * at_theta - step.momentum);
   body.v = scheme.theta == 1 ? Eigen::Vector3d(u.head<3>()) : Eigen::Vector3d(2 * u.head<3>() - step.u0.head<3>());
   if (body.turns()) {

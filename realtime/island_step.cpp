@@ -49,7 +49,7 @@ void World::prepare(const Scheme& scheme) {
     if (options_.order == 1)
       s.change.setZero();
     else
-      s = predicted(body, scheme);
+      predict_body(body, scheme);
   }
   for (PatchStep& p : island_.patches) prepare_patch(p, scheme);
 }

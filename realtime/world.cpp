@@ -117,7 +117,7 @@ void World::start(double dt, const std::vector<HandFrame>& hands) {
   observe(dt, hands);
   place_hands(1);
   now_ = next_;
-  for (std::size_t i = 0; i < bodies_.size(); ++i) steps_[i] = predicted(int(i), {});
+  for (std::size_t i = 0; i < bodies_.size(); ++i) predict_body(int(i), {});
   for (const int i : active_patches_)
     if (next_[std::size_t(patch(i).hand)].present) start_given(patch(i));
   detect(0);
@@ -173,15 +173,15 @@ const Pose& World::start_pose(const PatchSlot& patch) const {
   return now_[std::size_t(patch.hand)].X_WP[std::size_t(patch.phalanx)];
 }
 
-BodyStep World::predicted(int body, const Scheme& scheme) const {
+void World::predict_body(int body, const Scheme& scheme) {
   const RigidBody& rigid = bodies_[std::size_t(body)];
   const auto& load = source(body).load;
-  return predict(rigid, scheme, scene_.gravity, load && rigid.moves() ? load(t_ + scheme.reach()) : Load{},
-                 rigid.held(t_ + scheme.h));
+  predict(rigid, scheme, scene_.gravity, load && rigid.moves() ? load(t_ + scheme.reach()) : Load{},
+          rigid.held(t_ + scheme.h), steps_[std::size_t(body)]);
 }
 
 void World::substep(double h) {
-  for (std::size_t i = 0; i < bodies_.size(); ++i) steps_[i] = predicted(int(i), {.h = h});
+  for (std::size_t i = 0; i < bodies_.size(); ++i) predict_body(int(i), {.h = h});
   release_lost_hands(h);
   detect(h);
   find_islands();

@@ -80,7 +80,7 @@ class World {
   void place_hands(double fraction);
   void substep(double h);
   void release_lost_hands(double h);
-  [[nodiscard]] BodyStep predicted(int body, const Scheme& scheme) const;
+  void predict_body(int body, const Scheme& scheme);
   [[nodiscard]] const Pose& start_pose(const PatchSlot& patch) const;
   [[nodiscard]] const Body& source(int body) const { return scene_.bodies[std::size_t(body)]; }
   [[nodiscard]] PatchSlot& patch(int i) { return contacts_.patches[std::size_t(i)]; }
