@@ -80,17 +80,17 @@ bool break_away(Island& island) {
 }
 
 /// Linear samples that do not hold at the solution become free ones; true if there was one.
-bool let_go(const PatchStep& p, const Contacts& contacts, SampleSteps& samples, std::vector<Role>& role) {
+bool let_go(const PatchSlot& patch, const Friction& friction, const Contacts& contacts, StickMoments& moments,
+            std::vector<Role>& role) {
   bool any = false;
-  const PatchSlot& patch = contacts.patches[std::size_t(p.patch)];
   for (int i = 0; i < patch.count; ++i) {
     const std::size_t slot = patch.slot(i);
     if (role[slot] != Role::linear) continue;
-    const Vector3d f = contacts.f_W[slot], n = samples.n[slot];
+    const Vector3d f = contacts.f_O[slot], n = contacts.n_O[slot];
     const double N = -f.dot(n);
-    if (N > 0 && (f + N * n).norm() <= p.friction.mu_static * N) continue;
+    if (N > 0 && (f + N * n).norm() <= friction.mu_static * N) continue;
     role[slot] = Role::free;
-    samples.linear[slot] = 0;
+    moments.stale = true;
     any = true;
   }
   return any;
@@ -108,15 +108,16 @@ Matrix3d lessened_slope(const Slider& slider, const Friction& friction) {
 }
 
 /// Samples on watch that the solution brings inside become free ones; true if there was one.
-bool step_in(const PatchStep& p, double reach, const Vector3d& dv, const Vector3d& dw, const Contacts& contacts,
-             const SampleSteps& samples, std::vector<Role>& role) {
+bool step_in(const SlotStep& step, const Scheme& scheme, const Vector3d& dv, const Vector3d& dw, const BodyStep& target,
+             const Contacts& contacts, std::vector<Role>& role) {
   bool any = false;
-  const PatchSlot& patch = contacts.patches[std::size_t(p.patch)];
+  const PatchSlot& patch = contacts.patches[std::size_t(step.patch)];
   for (int i = 0; i < patch.count; ++i) {
     const std::size_t slot = patch.slot(i);
     if (role[slot] != Role::watch) continue;
-    const Vector3d end = samples.reach[slot] - reach * (dv + dw.cross(samples.arm[slot]));
-    if (end.dot(samples.n[slot]) >= 0) continue;
+    const SampleStep s = sample_step(step.motion, target, scheme.lead(), contacts, slot);
+    const Vector3d end = s.reach - scheme.reach() * (dv + dw.cross(s.arm));
+    if (end.dot(s.n) >= 0) continue;
     role[slot] = Role::free;
     any = true;
   }
@@ -163,29 +164,34 @@ void IslandSolver::analyse(const Island& island) {
 }
 
 /// Makes sliders of all samples that are neither idle nor linear, in the order of slots, and sums the linear ones.
-void IslandSolver::collect(Island& island, double reach, const Contacts& contacts, const SampleSteps& samples,
+void IslandSolver::collect(Island& island, const Scheme& scheme, const std::vector<BodyStep>& bodies,
+                           const Contacts& contacts, std::vector<StickMoments>& moments,
                            const std::vector<Role>& role) const {
   island.sliders.clear();
   for (PatchStep& p : island.patches) {
-    const PatchSlot& patch = contacts.patches[std::size_t(p.patch)];
+    const BodyStep& target = bodies[std::size_t(p.target)];
+    const SlotStep* const slots = island.slots.data() + p.first_patch;
     p.first_slider = int(island.sliders.size());
-    p.sums = sum_sticking(patch, p.stiffness, samples);
-    if (p.sums.count == patch.count) {
-      p.slider_count = 0;
-      continue;
-    }
-    for (int i = 0; i < patch.count; ++i) {
-      const std::size_t slot = patch.slot(i);
-      if (role[slot] != Role::free && role[slot] != Role::sliding) continue;
-      Slider s;
-      s.slot = slot;
-      s.element = {p.stiffness.k, p.stiffness.c, reach, samples.n[slot], samples.reach[slot], samples.v[slot]};
-      s.arm = samples.arm[slot];
-      s.entering = contacts.mode[slot] == Mode::apart;
-      s.sliding = role[slot] == Role::sliding || touches_sliding(s, contacts.mode[slot], p.friction);
-      island.sliders.push_back(s);
+    for (int at = 0; at < p.patch_count; ++at) {
+      const PatchSlot& patch = contacts.patches[std::size_t(slots[at].patch)];
+      StickMoments& moment = moments[std::size_t(slots[at].patch)];
+      update(patch, contacts, role, moment);
+      if (moment.count == patch.count) continue;
+      for (int i = 0; i < patch.count; ++i) {
+        const std::size_t slot = patch.slot(i);
+        if (role[slot] != Role::free && role[slot] != Role::sliding) continue;
+        const SampleStep sample = sample_step(slots[at].motion, target, scheme.lead(), contacts, slot);
+        Slider s;
+        s.slot = slot;
+        s.element = {p.stiffness.k, p.stiffness.c, scheme.reach(), sample.n, sample.reach, sample.v};
+        s.arm = sample.arm;
+        s.entering = contacts.mode[slot] == Mode::apart;
+        s.sliding = role[slot] == Role::sliding || touches_sliding(s, contacts.mode[slot], p.friction);
+        island.sliders.push_back(s);
+      }
     }
     p.slider_count = int(island.sliders.size()) - p.first_slider;
+    p.sums = sum_sticking(slots, slots + p.patch_count, p.stiffness, target, moments);
   }
 }
 
@@ -232,7 +238,7 @@ bool IslandSolver::is_balanced(Island& island, double reach, const std::vector<B
     const Matrix3d& aa = p.sums.arm_arm;
     Vector3d force = p.sums.force - s * (p.sums.count * dv + dw.cross(p.sums.arm));
     Vector3d torque = p.sums.torque - s * (p.sums.arm.cross(dv) + aa.trace() * dw - aa * dw);
-    size += reach * force.norm();
+    size += reach * std::max(force.norm(), p.sums.size);
     for (int i = p.first_slider; i < p.first_slider + p.slider_count; ++i) {
       Slider& slider = island.sliders[std::size_t(i)];
       evaluate(slider, dv + dw.cross(slider.arm), p.friction, touching);
@@ -317,21 +323,30 @@ void IslandSolver::remember(const Island& island, const std::vector<BodyStep>& b
   for (std::size_t i = 0; i < best_.size(); ++i) best_[i] = bodies[std::size_t(island.bodies[i])].change;
 }
 
-SolverReport IslandSolver::solve(Island& island, double reach, std::vector<BodyStep>& bodies, Contacts& contacts,
-                                 SampleSteps& samples, std::vector<Role>& role, const SolverOptions& options) {
+SolverReport IslandSolver::solve(Island& island, const Scheme& scheme, std::vector<BodyStep>& bodies,
+                                 Contacts& contacts, std::vector<StickMoments>& moments, std::vector<Role>& role,
+                                 const SolverOptions& options) {
+  const double reach = scheme.reach();
   begin(island);
-  collect(island, reach, contacts, samples, role);
+  collect(island, scheme, bodies, contacts, moments, role);
   const auto evaluate_linear = [&] {
     bool again = false;
     for (PatchStep& p : island.patches) {
       if (p.sums.count == 0 && !p.watches) continue;
       Vector3d dv, dw;
       p.relative(bodies, dv, dw);
-      if (p.watches && step_in(p, reach, dv, dw, contacts, samples, role)) again = true;
-      if (p.sums.count == 0) continue;
-      p.stuck = evaluate_sticking(contacts.patches[std::size_t(p.patch)], p.stiffness, p.friction.mu_static, dv, dw,
-                                  samples, contacts.f_W);
-      if (!p.stuck.holds && let_go(p, contacts, samples, role)) again = true;
+      const BodyStep& target = bodies[std::size_t(p.target)];
+      p.stuck = result_of(p.sums, p.stiffness, dv, dw);
+      for (int i = p.first_patch; i < p.first_patch + p.patch_count; ++i) {
+        const SlotStep& step = island.slots[std::size_t(i)];
+        const PatchSlot& patch = contacts.patches[std::size_t(step.patch)];
+        StickMoments& moment = moments[std::size_t(step.patch)];
+        if (p.watches && step_in(step, scheme, dv, dw, target, contacts, role)) again = true;
+        if (moment.count == 0) continue;
+        const bool holds =
+            evaluate_sticking(step, p.stiffness, p.friction.mu_static, dv, dw, target, role, moment, contacts);
+        if (!holds && let_go(patch, p.friction, contacts, moment, role)) again = true;
+      }
     }
     return again;
   };
@@ -375,7 +390,7 @@ SolverReport IslandSolver::solve(Island& island, double reach, std::vector<BodyS
     }
     report.converged = !evaluate_linear();
     if (report.converged) break;
-    collect(island, reach, contacts, samples, role);
+    collect(island, scheme, bodies, contacts, moments, role);
     corrected = false;
     best_squared_ = std::numeric_limits<double>::infinity();
     tries = 0;

@@ -13,15 +13,6 @@
 
 namespace handhold::realtime {
 
-/// What the solve makes of a sample.
-enum class Role : std::uint8_t {
-  idle,     ///< out of reach
-  watch,    ///< apart, and to stay so unless the solution brings it in
-  linear,   ///< stuck before, and so far in this step
-  free,     ///< may stick, or let go: just came in, or was found to pull
-  sliding,  ///< slid before, or left its static cone: at most μ_d N
-};
-
 /// A sample whose force is not linear in the velocities: what it is given, and what comes out.
 struct Slider {
   std::size_t slot{};
@@ -36,10 +27,10 @@ struct Slider {
   Eigen::Matrix3d slope{Eigen::Matrix3d::Zero()};    ///< out: −df/dv [N s/m]
 };
 
-/// One patch in one step.
+/// All patches between two bodies in one step; hands are one body here.
 struct PatchStep {
-  int patch{};               ///< in Contacts
-  int target{}, source{-1};  ///< bodies; source -1: a hand's
+  int target{}, source{-1};           ///< bodies; source -1: hands
+  int first_patch{}, patch_count{0};  ///< in Island::slots
   Stiffness stiffness{};
   Friction friction{};
   Eigen::Vector3d offset{Eigen::Vector3d::Zero()};  ///< from the source's centre of mass to the target's
@@ -66,27 +57,29 @@ struct SolverReport {
 struct Island {
   std::vector<int> bodies{};  ///< those that move
   std::vector<PatchStep> patches{};
+  std::vector<SlotStep> slots{};  ///< those of each PatchStep in a row
   std::vector<Slider> sliders{};
 };
 
 /// Solves the momentum balances (see BodyStep) of an island for the changes δ of its bodies' velocities.
 ///
-/// What sticks is a spring and a damper, linear in δ, and enters as one sum a patch. What slides, may let go or has
-/// just come in is iterated: semi-smooth Newton on touching (N >= 0) and sliding (|f_t| <= μ_d N). At a solution,
-/// sticking samples outside the static cone start to slide, never back within a step, so the loop ends. One body is a
-/// dense 6 x 6 system, several are a BlockSystem.
+/// What sticks is a spring and a damper, linear in δ, and enters as one sum a pair of bodies. What slides, may let go
+/// or has just come in is iterated: semi-smooth Newton on touching (N >= 0) and sliding (|f_t| <= μ_d N). At a
+/// solution, sticking samples outside the static cone start to slide, never back within a step, so the loop ends. One
+/// body is a dense 6 x 6 system, several are a BlockSystem.
 class IslandSolver {
  public:
   /// Room for islands of `bodies` bodies in all.
   void reserve(int bodies);
 
-  /// `role` by slot, in and out; forces of linear samples go to contacts.f_W, those of others to their sliders.
-  SolverReport solve(Island& island, double reach, std::vector<BodyStep>& bodies, Contacts& contacts,
-                     SampleSteps& samples, std::vector<Role>& role, const SolverOptions& options);
+  /// `role` by slot and `moments` by patch, in and out; forces of linear samples go to contacts.f_O, those of others to
+  /// their sliders.
+  SolverReport solve(Island& island, const Scheme& scheme, std::vector<BodyStep>& bodies, Contacts& contacts,
+                     std::vector<StickMoments>& moments, std::vector<Role>& role, const SolverOptions& options);
 
  private:
-  void collect(Island& island, double reach, const Contacts& contacts, const SampleSteps& samples,
-               const std::vector<Role>& role) const;
+  void collect(Island& island, const Scheme& scheme, const std::vector<BodyStep>& bodies, const Contacts& contacts,
+               std::vector<StickMoments>& moments, const std::vector<Role>& role) const;
   void begin(const Island& island);
   [[nodiscard]] bool is_balanced(Island& island, double reach, const std::vector<BodyStep>& bodies, double tolerance,
                                  bool touching);
