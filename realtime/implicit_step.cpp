@@ -337,15 +337,13 @@ SolverReport IslandSolver::solve(Island& island, const Scheme& scheme, std::vect
       p.relative(bodies, dv, dw);
       const BodyStep& target = bodies[std::size_t(p.target)];
       p.stuck = result_of(p.sums, p.stiffness, dv, dw);
-      for (int i = p.first_patch; i < p.first_patch + p.patch_count; ++i) {
-        const SlotStep& step = island.slots[std::size_t(i)];
-        const PatchSlot& patch = contacts.patches[std::size_t(step.patch)];
-        StickMoments& moment = moments[std::size_t(step.patch)];
-        if (p.watches && step_in(step, scheme, dv, dw, target, contacts, role)) again = true;
-        if (moment.count == 0) continue;
-        const bool holds =
-            evaluate_sticking(step, p.stiffness, p.friction.mu_static, dv, dw, target, role, moment, contacts);
-        if (!holds && let_go(patch, p.friction, contacts, moment, role)) again = true;
+      SlotStep* const slots = island.slots.data() + p.first_patch;
+      evaluate_sticking(slots, slots + p.patch_count, p.stiffness, p.friction.mu_static, dv, dw, target, role, moments,
+                        contacts);
+      for (const SlotStep* step = slots; step != slots + p.patch_count; ++step) {
+        const PatchSlot& patch = contacts.patches[std::size_t(step->patch)];
+        if (p.watches && step_in(*step, scheme, dv, dw, target, contacts, role)) again = true;
+        if (!step->holds && let_go(patch, p.friction, contacts, moments[std::size_t(step->patch)], role)) again = true;
       }
     }
     return again;

@@ -76,6 +76,9 @@ struct LaneMatrix {
 [[gnu::always_inline]] inline LaneMatrix operator-(const LaneMatrix& A, const LaneMatrix& B) {
   return {A.row[0] - B.row[0], A.row[1] - B.row[1], A.row[2] - B.row[2]};
 }
+[[gnu::always_inline]] inline LaneMatrix operator*(Lanes s, const LaneMatrix& A) {
+  return {s * A.row[0], s * A.row[1], s * A.row[2]};
+}
 /// A Bᵀ.
 [[gnu::always_inline]] inline LaneMatrix times_transposed(const LaneMatrix& A, const LaneMatrix& B) {
   return {B * A.row[0], B * A.row[1], B * A.row[2]};

@@ -61,6 +61,124 @@ struct LaneSums {
   sums.size += Lanes3{magnitude(nf.x), magnitude(nf.y), magnitude(nf.z)};
 }
 
+/// Calls visit(patch, next patch or null) with the patches that have linear samples.
+template <class Step, class Visit>
+[[gnu::always_inline]] inline void in_pairs(Step* begin, Step* end, const std::vector<StickMoments>& moments,
+                                            Visit&& visit) {
+  Step* first = nullptr;
+  for (Step* step = begin; step != end; ++step) {
+    if (moments[std::size_t(step->patch)].count == 0) continue;
+    if (!first) {
+      first = step;
+      continue;
+    }
+    visit(*first, step);
+    first = nullptr;
+  }
+  if (first) visit(*first, static_cast<Step*>(nullptr));
+}
+
+/// Of relative velocity: δ(p) = dv + dw × arm.
+struct Change {
+  Lanes3 dv, dw;
+};
+
+/// Force of a sample in the body's frame: f = A p + b − k C.
+struct ForceMap {
+  LaneMatrix A;
+  Lanes3 b;
+};
+
+[[gnu::always_inline]] inline LaneMatrix cross_matrix(const Lanes3& w) {
+  const Lanes zero{};
+  return {{{zero, -w.z, w.y}, {w.z, zero, -w.x}, {-w.y, w.x, zero}}};
+}
+
+/// Of two patches, a lane each: W f = U (k (R p + t + arm_O − R_O C) + ahead (W R p + u)) − slope (dv + dw × (R p +
+/// t)).
+[[gnu::always_inline]] inline ForceMap force_map(const PatchMotion& m0, const PatchMotion& m1,
+                                                 const Stiffness& stiffness, const BodyStep& target,
+                                                 const Change& change) {
+  const Lanes k = both(stiffness.k);
+  const Lanes3 t = gather(m0.t, m1.t);
+  LaneMatrix A = both(stiffness.ahead) * gather(m0.W, m1.W);
+  A.row[0].x += k;
+  A.row[1].y += k;
+  A.row[2].z += k;
+  Lanes3 b = k * (t + both(target.arm_O)) + stiffness.ahead * gather(m0.u, m1.u);
+  LaneMatrix R_O = both(target.R);
+  if (target.turned) {
+    const LaneMatrix U = both(target.turn);
+    A = U * A;
+    b = U * b;
+    R_O = U * R_O;
+  }
+  const Lanes3 w = stiffness.slope * change.dw;
+  A = (A - cross_matrix(w)) * gather(m0.R, m1.R);
+  b = b - stiffness.slope * change.dv - cross(w, t);
+  const LaneMatrix back = transposed(R_O);
+  return {back * A, back * b};
+}
+
+/// Both lanes of what one lane holds.
+template <int i>
+[[gnu::always_inline]] inline Lanes lane(Lanes v) {
+  return Lanes{v[i], v[i]};
+}
+template <int i>
+[[gnu::always_inline]] inline Lanes3 lane(const Lanes3& v) {
+  return {lane<i>(v.x), lane<i>(v.y), lane<i>(v.z)};
+}
+template <int i>
+[[gnu::always_inline]] inline ForceMap lane(const ForceMap& m) {
+  return {{{lane<i>(m.A.row[0]), lane<i>(m.A.row[1]), lane<i>(m.A.row[2])}}, lane<i>(m.b)};
+}
+
+[[gnu::always_inline]] inline Lanes3 force_at(const ForceMap& map, double k, const Contacts& contacts, std::size_t i) {
+  return map.A * load(contacts.p_P, i) + map.b - k * load(contacts.C_O, i);
+}
+
+/// All bits set in a lane whose sample pulls, or is outside its static cone.
+[[gnu::always_inline]] inline auto fails(const Lanes3& f, const Lanes3& n, double mu_static) {
+  const Lanes zero{};
+  const Lanes N = zero - dot(f, n);
+  const Lanes3 t = f + N * n;
+  const Lanes cap = mu_static * N;
+  return (N <= zero) | (dot(t, t) > cap * cap);
+}
+
+/// A patch of which every sample is linear, an even number.
+[[gnu::always_inline]] inline bool all_hold(const ForceMap& map, double k, double mu_static, const PatchSlot& patch,
+                                            Contacts& contacts) {
+  const Lanes zero{};
+  auto outside = zero < zero;
+  for (std::size_t i = patch.slot(0), end = patch.slot(patch.count); i < end; i += lanes) {
+    const Lanes3 f = force_at(map, k, contacts, i);
+    outside |= fails(f, load(contacts.n_O, i), mu_static);
+    store(contacts.f_O, i, f);
+  }
+  return !outside[0] && !outside[1];
+}
+
+/// Any other: samples that are not linear keep the force they have.
+bool linear_hold(const ForceMap& map, double k, double mu_static, const PatchSlot& patch, const std::vector<Role>& role,
+                 Contacts& contacts) {
+  bool holds = true;
+  for (int i = 0; i < patch.count; i += lanes) {
+    const std::size_t slot = patch.slot(i);
+    const bool linear[lanes] = {role[slot] == Role::linear, i + 1 < patch.count && role[slot + 1] == Role::linear};
+    if (!linear[0] && !linear[1]) continue;
+    const Lanes3 f = force_at(map, k, contacts, slot);
+    const auto outside = fails(f, load(contacts.n_O, slot), mu_static);
+    for (int at = 0; at < lanes; ++at) {
+      if (!linear[at]) continue;
+      holds = holds && !outside[at];
+      contacts.f_O.set(slot + std::size_t(at), {f.x[at], f.y[at], f.z[at]});
+    }
+  }
+  return holds;
+}
+
 }  // namespace
 
 SampleStep sample_step(const PatchMotion& motion, const BodyStep& target, double lead, const Contacts& contacts,
@@ -104,17 +222,13 @@ void update(const PatchSlot& patch, const Contacts& contacts, const std::vector<
 StickSums sum_sticking(const SlotStep* begin, const SlotStep* end, const Stiffness& stiffness, const BodyStep& target,
                        const std::vector<StickMoments>& moments) {
   LaneSums lane;
-  const auto of = [&](const SlotStep& step) -> const StickMoments& { return moments[std::size_t(step.patch)]; };
-  const auto next = [&](const SlotStep* at) {
-    return std::find_if(at, end, [&](const SlotStep& s) { return of(s).count > 0; });
-  };
-  for (const SlotStep* first = next(begin); first != end;) {
-    const SlotStep* const second = next(first + 1);
-    const bool alone = second == end;
-    add(first->motion, alone ? first->motion : second->motion, of(*first), alone ? none : of(*second), stiffness,
-        target, lane);
-    first = alone ? end : next(second + 1);
-  }
+  in_pairs(begin, end, moments, [&](const SlotStep& first, const SlotStep* second) {
+    const StickMoments& moment = moments[std::size_t(first.patch)];
+    if (second)
+      add(first.motion, second->motion, moment, moments[std::size_t(second->patch)], stiffness, target, lane);
+    else
+      add(first.motion, first.motion, moment, none, stiffness, target, lane);
+  });
   const Vector3d s = total(lane.square), m = total(lane.mixed);
   StickSums sums;
   sums.count = total(lane.count);
@@ -145,55 +259,22 @@ StickResult result_of(const StickSums& sums, const Stiffness& stiffness, const V
   return r;
 }
 
-bool evaluate_sticking(const SlotStep& step, const Stiffness& stiffness, double mu_static, const Vector3d& dv,
+void evaluate_sticking(SlotStep* begin, SlotStep* end, const Stiffness& stiffness, double mu_static, const Vector3d& dv,
                        const Vector3d& dw, const BodyStep& target, const std::vector<Role>& role,
-                       const StickMoments& moments, Contacts& contacts) {
-  // f = A p + b − k C in the body's frame.
-  const PatchMotion& m = step.motion;
-  Matrix3d E = stiffness.ahead * m.W;
-  E.diagonal().array() += stiffness.k;
-  Vector3d e = stiffness.k * (m.t + target.arm_O) + stiffness.ahead * m.u;
-  Matrix3d R = target.R;
-  if (target.turned) {
-    E = Matrix3d(target.turn * E);
-    e = Vector3d(target.turn * e);
-    R = Matrix3d(target.turn * R);
-  }
-  const Vector3d w = stiffness.slope * dw;
-  E(0, 1) += w.z();
-  E(0, 2) -= w.y();
-  E(1, 0) -= w.z();
-  E(1, 2) += w.x();
-  E(2, 0) += w.y();
-  E(2, 1) -= w.x();
-  e -= stiffness.slope * dv + w.cross(m.t);
-  const Matrix3d ER = E * m.R;
-  const Matrix3d A_O = R.transpose() * ER;
-  const Vector3d b_O = R.transpose() * e;
-  const LaneMatrix A = both(A_O);
-  const Lanes3 b = both(b_O);
-  const PatchSlot& patch = contacts.patches[std::size_t(step.patch)];
-  const bool all = moments.count == patch.count;
-  const Lanes zero{};
-  auto outside = zero < zero;
-  for (std::size_t i = patch.slot(0), end = patch.slot(patch.count); i < end; i += lanes) {
-    const Lanes3 n = load(contacts.n_O, i);
-    Lanes3 f = A * load(contacts.p_P, i) + b - stiffness.k * load(contacts.C_O, i);
-    const Lanes N = zero - dot(f, n);
-    const Lanes3 t = f + N * n;
-    const Lanes cap = mu_static * N;
-    auto fails = (N <= zero) | (dot(t, t) > cap * cap);
-    if (!all || i + 1 == end) {
-      const bool first = role[i] == Role::linear, second = i + 1 < end && role[i + 1] == Role::linear;
-      if (!first && !second) continue;
-      const Lanes weight{first ? 1.0 : 0.0, second ? 1.0 : 0.0};
-      f = weight * f;
-      fails &= weight != zero;
-    }
-    outside |= fails;
-    store(contacts.f_O, i, f);
-  }
-  return !outside[0] && !outside[1];
+                       const std::vector<StickMoments>& moments, Contacts& contacts) {
+  const Change change{both(dv), both(dw)};
+  in_pairs(begin, end, moments, [&](SlotStep& first, SlotStep* second) {
+    const ForceMap map = force_map(first.motion, second ? second->motion : first.motion, stiffness, target, change);
+    for (SlotStep* const step : {&first, second})
+      if (step) {
+        const StickMoments& moment = moments[std::size_t(step->patch)];
+        const PatchSlot& patch = contacts.patches[std::size_t(step->patch)];
+        const ForceMap own = step == second ? lane<1>(map) : lane<0>(map);
+        step->holds = moment.count == patch.count && patch.count % lanes == 0
+                          ? all_hold(own, stiffness.k, mu_static, patch, contacts)
+                          : linear_hold(own, stiffness.k, mu_static, patch, role, contacts);
+      }
+  });
 }
 
 }  // namespace handhold::realtime

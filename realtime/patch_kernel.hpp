@@ -64,7 +64,10 @@ void update(const PatchSlot& patch, const Contacts& contacts, const std::vector<
 
 /// A patch in a step.
 struct SlotStep {
-  int patch{};  ///< in Contacts
+  explicit SlotStep(int index) : patch(index) {}  // leaves the motion as it is: zeros would cost as much as the motion
+
+  int patch;         ///< in Contacts
+  bool holds{true};  ///< out: see evaluate_sticking
   PatchMotion motion;
 };
 
@@ -93,10 +96,10 @@ struct StickResult {
 [[nodiscard]] StickResult result_of(const StickSums& sums, const Stiffness& stiffness, const Eigen::Vector3d& dv,
                                     const Eigen::Vector3d& dw);
 
-/// Forces of a patch's linear samples at the solution, to `contacts.f_O`; true if all press and are inside their static
-/// cones.
-[[nodiscard]] bool evaluate_sticking(const SlotStep& step, const Stiffness& stiffness, double mu_static,
-                                     const Eigen::Vector3d& dv, const Eigen::Vector3d& dw, const BodyStep& target,
-                                     const std::vector<Role>& role, const StickMoments& moments, Contacts& contacts);
+/// Forces of the patches' linear samples at the solution, to `contacts.f_O`; `holds` of each patch tells whether all of
+/// its press and are inside their static cones.
+void evaluate_sticking(SlotStep* begin, SlotStep* end, const Stiffness& stiffness, double mu_static,
+                       const Eigen::Vector3d& dv, const Eigen::Vector3d& dw, const BodyStep& target,
+                       const std::vector<Role>& role, const std::vector<StickMoments>& moments, Contacts& contacts);
 
 }  // namespace handhold::realtime

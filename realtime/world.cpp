@@ -207,7 +207,7 @@ void World::add_to_island(int index) {
   if (steps.empty() || steps.back().target != slot.body || steps.back().source != from)
     steps.push_back({.target = slot.body, .source = from, .first_patch = int(island_.slots.size())});
   ++steps.back().patch_count;
-  island_.slots.emplace_back().patch = index;
+  island_.slots.emplace_back(index);
 }
 
 void World::release_lost_hands(double h) {
