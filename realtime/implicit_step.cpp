@@ -329,7 +329,12 @@ SolverReport IslandSolver::solve(Island& island, const Scheme& scheme, std::vect
   const double reach = scheme.reach();
   begin(island);
   collect(island, scheme, bodies, contacts, moments, role);
+  const auto lap = [&](Phase phase) {
+    if (clock_) clock_->lap(phase);
+  };
+  lap(Phase::sums);
   const auto evaluate_linear = [&] {
+    lap(Phase::solve);
     bool again = false;
     for (PatchStep& p : island.patches) {
       if (p.sums.count == 0 && !p.watches) continue;
@@ -346,6 +351,7 @@ SolverReport IslandSolver::solve(Island& island, const Scheme& scheme, std::vect
         if (!step->holds && let_go(patch, p.friction, contacts, moments[std::size_t(step->patch)], role)) again = true;
       }
     }
+    lap(Phase::check);
     return again;
   };
   constexpr int most_halvings = 8, eager = 8, patience = 24, most_rounds = 100;
@@ -389,6 +395,7 @@ SolverReport IslandSolver::solve(Island& island, const Scheme& scheme, std::vect
     report.converged = !evaluate_linear();
     if (report.converged) break;
     collect(island, scheme, bodies, contacts, moments, role);
+    lap(Phase::sums);
     corrected = false;
     best_squared_ = std::numeric_limits<double>::infinity();
     tries = 0;

@@ -10,6 +10,7 @@
 #include "realtime/body_step.hpp"
 #include "realtime/element.hpp"
 #include "realtime/patch_kernel.hpp"
+#include "realtime/phase_clock.hpp"
 
 namespace handhold::realtime {
 
@@ -71,6 +72,7 @@ class IslandSolver {
  public:
   /// Room for islands of `bodies` bodies in all.
   void reserve(int bodies);
+  void watch(PhaseClock* clock) { clock_ = clock; }  ///< see World::watch
 
   /// `role` by slot and `moments` by patch, in and out; forces of linear samples go to contacts.f_O, those of others to
   /// their sliders.
@@ -98,6 +100,7 @@ class IslandSolver {
   Matrix6 dense_{Matrix6::Zero()};
   BlockSystem blocks_{};
   bool analysed_{false};
+  PhaseClock* clock_{};
 };
 
 }  // namespace handhold::realtime

@@ -35,6 +35,7 @@ void World::step_island(double h) {
   Scheme scheme{.h = h, .theta = options_.order == 2 ? 0.5 : 1.0};
   const auto solve = [&] {
     prepare(scheme);
+    lap(Phase::patches);
     return solver_.solve(island_, scheme, steps_, contacts_, moments_, role_, options_.solver);
   };
   SolverReport report = solve();
@@ -44,6 +45,7 @@ void World::step_island(double h) {
   }
   if (!report.converged) ++unconverged_;
   finish(scheme);
+  lap(Phase::finish);
 }
 
 void World::prepare(const Scheme& scheme) {

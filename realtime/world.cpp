@@ -151,9 +151,15 @@ void World::advance(double dt, const std::vector<HandFrame>& hands) {
     std::swap(now_, next_);
     first_substep_ = i == 1;
     place_hands(double(i) / options_.substeps);
+    lap(Phase::hands);
     substep(h);
     t_ = begin + dt * i / options_.substeps;
   }
+}
+
+void World::watch(PhaseClock* clock) {
+  clock_ = clock;
+  solver_.watch(clock);
 }
 
 void World::place_hands(double fraction) {
@@ -181,8 +187,10 @@ BodyStep World::predicted(int body, const Scheme& scheme) const {
 
 void World::substep(double h) {
   for (std::size_t i = 0; i < bodies_.size(); ++i) steps_[i] = predicted(int(i), {.h = h});
+  lap(Phase::bodies);
   release_lost_hands(h);
   detect(h);
+  lap(Phase::detection);
   find_islands();
   std::size_t member = 0, patch = 0;
   while (member < members_.size()) {
@@ -195,6 +203,7 @@ void World::substep(double h) {
       if (bodies_[std::size_t(body)].moves()) island_.bodies.push_back(body);
     }
     for (; patch < active_.size() && active_[patch].island == island; ++patch) add_to_island(active_[patch].patch);
+    lap(Phase::islands);
     step_island(h);
   }
 }

@@ -10,6 +10,7 @@
 #include "realtime/contacts.hpp"
 #include "realtime/hand_path.hpp"
 #include "realtime/implicit_step.hpp"
+#include "realtime/phase_clock.hpp"
 #include "realtime/proximity.hpp"
 #include "realtime/rigid_body.hpp"
 #include "realtime/surface.hpp"
@@ -50,6 +51,9 @@ class World {
   /// One frame of `dt` seconds, at whose end the hands are at `hands`.
   void advance(double dt, const std::vector<HandFrame>& hands);
 
+  /// From now on every step tells `clock` where its time goes; null: none does.
+  void watch(PhaseClock* clock);
+
   [[nodiscard]] double time() const { return t_; }
   [[nodiscard]] const RigidBody& body() const { return bodies_.front(); }
   /// In the order of the scene.
@@ -80,6 +84,9 @@ class World {
   void place_hands(double fraction);
   void substep(double h);
   void add_to_island(int index);
+  void lap(Phase phase) {
+    if (clock_) clock_->lap(phase);
+  }
   void release_lost_hands(double h);
   [[nodiscard]] BodyStep predicted(int body, const Scheme& scheme) const;
   [[nodiscard]] const Pose& start_pose(const PatchSlot& patch) const;
@@ -165,6 +172,7 @@ class World {
   double t_{};
   double hand_work_{}, dissipated_{}, start_height_{};
   long unconverged_{};
+  PhaseClock* clock_{};
 };
 
 }  // namespace handhold::realtime
