@@ -101,7 +101,8 @@ TEST(LivelyScenes, ATowerIsKnockedOver) {
 TEST(LivelyScenes, AnAxeSmashesATower) {
   const catalogue::BenchmarkScene made = catalogue::benchmark_scene("S4a");
   const Played run = play(made.scene, 1.6, 2);
-  expect_invariants(run, made.scene.name, 0.4);  // measured: 77 of 288
+  // Chaotic: 82 to 137 of 288 (mean 98) over 28 runs, with gravity changed by up to 4e-13 of itself.
+  expect_invariants(run, made.scene.name, 0.5);
   double moved = 0;
   for (std::size_t i = 1; i < run.bodies.size(); ++i)
     moved = std::max(moved, (run.bodies[i].X_WO.p - made.scene.bodies[i].X_WO.p).norm());
