@@ -31,7 +31,7 @@ int BodyPairs::take(const Scene& scene, int target, int source, Contacts& contac
     contacts.id[slot] = {SampleId::of_body, std::uint8_t(source), std::uint8_t(target), std::uint8_t(i)};
     contacts.mode[slot] = Mode::apart;
     contacts.p_P.set(slot, points[std::size_t(i)]);
-    contacts.f_W.set(slot, Eigen::Vector3d::Zero());
+    contacts.f_O.set(slot, Eigen::Vector3d::Zero());
   }
   return taken;
 }

@@ -14,6 +14,7 @@ struct Scheme {
   /// as predicted, would damp every swing.
   [[nodiscard]] double place() const { return theta == 1 ? 0 : theta * h; }
   [[nodiscard]] double reach() const { return theta * h; }  ///< from the start to where forces are taken [s]
+  [[nodiscard]] double lead() const { return reach() - place(); }
 };
 
 /// A body in one step: where forces are seen to act, and its momentum balance there.

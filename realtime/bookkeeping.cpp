@@ -15,9 +15,10 @@ EventKind kind_of(Mode from, Mode to) {
 
 void World::set_mode(std::size_t slot, Mode mode, double h) {
   const Mode from = contacts_.mode[slot];
-  if (mode == Mode::apart) contacts_.f_W.set(slot, Eigen::Vector3d::Zero());
+  if (mode == Mode::apart) contacts_.f_O.set(slot, Eigen::Vector3d::Zero());
   if (from == mode) return;
   contacts_.mode[slot] = mode;
+  moments_[std::size_t(patch_of_slot_[slot])].stale = true;
   events_.push_back({t_ + h, h, kind_of(from, mode), contacts_.id[slot], bodies_[contacts_.id[slot].body].state()});
 }
 
@@ -63,6 +64,12 @@ void World::book_sticking(const PatchStep& p, const Scheme& scheme) {
   hand_work_ += scheme.h * (p.stuck.power + p.stuck.force.dot(u.head<3>()) + p.stuck.torque.dot(u.tail<3>()));
 }
 
+Eigen::Vector3d World::force(std::size_t slot) const {
+  const PatchSlot& patch = contacts_.patches[std::size_t(patch_of_slot_[slot])];
+  const BodyStep& step = steps_[std::size_t(patch.body)];
+  return step.turn * (step.R * contacts_.f_O[slot]);
+}
+
 ContactState World::contact(std::size_t slot) const {
   ContactState state;
   const int index = patch_of_slot_[slot];
@@ -74,7 +81,7 @@ ContactState World::contact(std::size_t slot) const {
   state.id = contacts_.id[slot];
   state.mode = contacts_.mode[slot];
   state.p_W = X_WS * contacts_.p_P[slot];
-  state.f_W = contacts_.f_W[slot];
+  state.f_W = force(slot);
   Anchor anchor{contacts_.C_O[slot], contacts_.n_O[slot]};
   const Eigen::Vector3d p_O = X_WO.inverse() * state.p_W;
   if (state.mode == Mode::apart && !foot(*source(patch.body).field, p_O, anchor)) anchor = {p_O, anchor.n_O};

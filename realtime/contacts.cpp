@@ -17,7 +17,7 @@ void resize(Contacts& contacts, std::size_t size) {
   contacts.p_P.resize(size);
   contacts.C_O.resize(size);
   contacts.n_O.resize(size);
-  contacts.f_W.resize(size);
+  contacts.f_O.resize(size);
 }
 
 int even(int count) { return count + count % 2; }

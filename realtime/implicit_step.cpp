@@ -32,32 +32,33 @@ bool break_away(Island& island) {
 }
 
 /// Linear samples that do not hold at the solution become free ones; true if there was one.
-bool let_go(const PatchStep& p, const Contacts& contacts, SampleSteps& samples, std::vector<Role>& role) {
+bool let_go(const PatchSlot& patch, const Friction& friction, const Contacts& contacts, StickMoments& moments,
+            std::vector<Role>& role) {
   bool any = false;
-  const PatchSlot& patch = contacts.patches[std::size_t(p.patch)];
   for (int i = 0; i < patch.count; ++i) {
     const std::size_t slot = patch.slot(i);
     if (role[slot] != Role::linear) continue;
-    const Vector3d f = contacts.f_W[slot], n = samples.n[slot];
+    const Vector3d f = contacts.f_O[slot], n = contacts.n_O[slot];
     const double N = -f.dot(n);
-    if (N > 0 && (f + N * n).norm() <= p.friction.mu_static * N) continue;
+    if (N > 0 && (f + N * n).norm() <= friction.mu_static * N) continue;
     role[slot] = Role::free;
-    samples.linear[slot] = 0;
+    moments.stale = true;
     any = true;
   }
   return any;
 }
 
 /// Samples on watch that the solution brings inside become free ones; true if there was one.
-bool step_in(const PatchStep& p, double reach, const Vector3d& dv, const Vector3d& dw, const Contacts& contacts,
-             const SampleSteps& samples, std::vector<Role>& role) {
+bool step_in(const SlotStep& step, const Scheme& scheme, const Vector3d& dv, const Vector3d& dw, const BodyStep& target,
+             const Contacts& contacts, std::vector<Role>& role) {
   bool any = false;
-  const PatchSlot& patch = contacts.patches[std::size_t(p.patch)];
+  const PatchSlot& patch = contacts.patches[std::size_t(step.patch)];
   for (int i = 0; i < patch.count; ++i) {
     const std::size_t slot = patch.slot(i);
     if (role[slot] != Role::watch) continue;
-    const Vector3d end = samples.reach[slot] - reach * (dv + dw.cross(samples.arm[slot]));
-    if (end.dot(samples.n[slot]) >= 0) continue;
+    const SampleStep s = sample_step(step.motion, target, scheme.lead(), contacts, slot);
+    const Vector3d end = s.reach - scheme.reach() * (dv + dw.cross(s.arm));
+    if (end.dot(s.n) >= 0) continue;
     role[slot] = Role::free;
     any = true;
   }
@@ -104,29 +105,34 @@ void IslandSolver::reserve(int bodies) {
 }
 
 /// Makes sliders of all samples that are neither idle nor linear, in the order of slots, and sums the linear ones.
-void IslandSolver::collect(Island& island, double reach, const Contacts& contacts, const SampleSteps& samples,
+void IslandSolver::collect(Island& island, const Scheme& scheme, const std::vector<BodyStep>& bodies,
+                           const Contacts& contacts, std::vector<StickMoments>& moments,
                            const std::vector<Role>& role) const {
   island.sliders.clear();
   for (PatchStep& p : island.patches) {
-    const PatchSlot& patch = contacts.patches[std::size_t(p.patch)];
+    const BodyStep& target = bodies[std::size_t(p.target)];
+    const SlotStep* const slots = island.slots.data() + p.first_patch;
     p.first_slider = int(island.sliders.size());
-    p.sums = sum_sticking(patch, p.stiffness, samples);
-    if (p.sums.count == patch.count) {
-      p.slider_count = 0;
-      continue;
-    }
-    for (int i = 0; i < patch.count; ++i) {
-      const std::size_t slot = patch.slot(i);
-      if (role[slot] != Role::free && role[slot] != Role::sliding) continue;
-      Slider s;
-      s.slot = slot;
-      s.element = {p.stiffness.k, p.stiffness.c, reach, samples.n[slot], samples.reach[slot], samples.v[slot]};
-      s.arm = samples.arm[slot];
-      s.entering = contacts.mode[slot] == Mode::apart;
-      s.sliding = role[slot] == Role::sliding || touches_sliding(s, contacts.mode[slot], p.friction);
-      island.sliders.push_back(s);
+    for (int at = 0; at < p.patch_count; ++at) {
+      const PatchSlot& patch = contacts.patches[std::size_t(slots[at].patch)];
+      StickMoments& moment = moments[std::size_t(slots[at].patch)];
+      update(patch, contacts, role, moment);
+      if (moment.count == patch.count) continue;
+      for (int i = 0; i < patch.count; ++i) {
+        const std::size_t slot = patch.slot(i);
+        if (role[slot] != Role::free && role[slot] != Role::sliding) continue;
+        const SampleStep sample = sample_step(slots[at].motion, target, scheme.lead(), contacts, slot);
+        Slider s;
+        s.slot = slot;
+        s.element = {p.stiffness.k, p.stiffness.c, scheme.reach(), sample.n, sample.reach, sample.v};
+        s.arm = sample.arm;
+        s.entering = contacts.mode[slot] == Mode::apart;
+        s.sliding = role[slot] == Role::sliding || touches_sliding(s, contacts.mode[slot], p.friction);
+        island.sliders.push_back(s);
+      }
     }
     p.slider_count = int(island.sliders.size()) - p.first_slider;
+    p.sums = sum_sticking(slots, slots + p.patch_count, p.stiffness, target, moments);
   }
 }
 
@@ -212,27 +218,39 @@ bool IslandSolver::find_balance(Island& island, std::vector<BodyStep>& bodies, b
   return false;
 }
 
-SolverReport IslandSolver::solve(Island& island, double reach, std::vector<BodyStep>& bodies, Contacts& contacts,
-                                 SampleSteps& samples, std::vector<Role>& role, const SolverOptions& options) {
+SolverReport IslandSolver::solve(Island& island, const Scheme& scheme, std::vector<BodyStep>& bodies,
+                                 Contacts& contacts, std::vector<StickMoments>& moments, std::vector<Role>& role,
+                                 const SolverOptions& options) {
   constexpr int most_rounds = 100;
   tolerance_ = options.tolerance;
   iterations_ = 0;
   best_.resize(island.bodies.size());
   frozen_.resize(island.bodies.size());
-  system_.begin(island, reach);
-  collect(island, reach, contacts, samples, role);
+  system_.begin(island, scheme.reach());
+  collect(island, scheme, bodies, contacts, moments, role);
+  const auto lap = [&](Phase phase) {
+    if (clock_) clock_->lap(phase);
+  };
+  lap(Phase::sums);
   const auto evaluate_linear = [&] {
+    lap(Phase::solve);
     bool again = false;
     for (PatchStep& p : island.patches) {
       if (p.sums.count == 0 && !p.watches) continue;
       Vector3d dv, dw;
       p.relative(bodies, dv, dw);
-      if (p.watches && step_in(p, reach, dv, dw, contacts, samples, role)) again = true;
-      if (p.sums.count == 0) continue;
-      p.stuck = evaluate_sticking(contacts.patches[std::size_t(p.patch)], p.stiffness, p.friction.mu_static, dv, dw,
-                                  samples, contacts.f_W);
-      if (!p.stuck.holds && let_go(p, contacts, samples, role)) again = true;
+      const BodyStep& target = bodies[std::size_t(p.target)];
+      p.stuck = result_of(p.sums, p.stiffness, dv, dw);
+      SlotStep* const slots = island.slots.data() + p.first_patch;
+      evaluate_sticking(slots, slots + p.patch_count, p.stiffness, p.friction.mu_static, dv, dw, target, role, moments,
+                        contacts);
+      for (const SlotStep* step = slots; step != slots + p.patch_count; ++step) {
+        const PatchSlot& patch = contacts.patches[std::size_t(step->patch)];
+        if (p.watches && step_in(*step, scheme, dv, dw, target, contacts, role)) again = true;
+        if (!step->holds && let_go(patch, p.friction, contacts, moments[std::size_t(step->patch)], role)) again = true;
+      }
     }
+    lap(Phase::check);
     return again;
   };
   bool converged = false;
@@ -243,7 +261,9 @@ SolverReport IslandSolver::solve(Island& island, double reach, std::vector<BodyS
       continue;
     }
     converged = !evaluate_linear();
-    if (!converged) collect(island, reach, contacts, samples, role);
+    if (converged) break;
+    collect(island, scheme, bodies, contacts, moments, role);
+    lap(Phase::sums);
   }
   if (!converged) {  // the best that was found, and what the samples do there
     if (std::isfinite(best_squared_)) restore(island, best_, bodies);

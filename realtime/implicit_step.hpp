@@ -4,6 +4,7 @@
 
 #include "realtime/island.hpp"
 #include "realtime/island_system.hpp"
+#include "realtime/phase_clock.hpp"
 
 namespace handhold::realtime {
 
@@ -28,15 +29,18 @@ class IslandSolver {
   /// Room for islands of `bodies` bodies in all.
   void reserve(int bodies);
 
-  /// `role` by slot, in and out; forces of linear samples go to contacts.f_W, those of others to their sliders.
-  SolverReport solve(Island& island, double reach, std::vector<BodyStep>& bodies, Contacts& contacts,
-                     SampleSteps& samples, std::vector<Role>& role, const SolverOptions& options);
+  void watch(PhaseClock* clock) { clock_ = clock; }  ///< see World::watch
+
+  /// `role` by slot and `moments` by patch, in and out; forces of linear samples go to contacts.f_O, those of others to
+  /// their sliders.
+  SolverReport solve(Island& island, const Scheme& scheme, std::vector<BodyStep>& bodies, Contacts& contacts,
+                     std::vector<StickMoments>& moments, std::vector<Role>& role, const SolverOptions& options);
 
  private:
   using Changes = std::vector<Vector6>;
 
-  void collect(Island& island, double reach, const Contacts& contacts, const SampleSteps& samples,
-               const std::vector<Role>& role) const;
+  void collect(Island& island, const Scheme& scheme, const std::vector<BodyStep>& bodies, const Contacts& contacts,
+               std::vector<StickMoments>& moments, const std::vector<Role>& role) const;
   [[nodiscard]] bool find_balance(Island& island, std::vector<BodyStep>& bodies, bool first);
   [[nodiscard]] bool newton(Island& island, std::vector<BodyStep>& bodies, int patience, bool first);
   void descend(Island& island, std::vector<BodyStep>& bodies);
@@ -47,6 +51,7 @@ class IslandSolver {
   int iterations_{};
   Changes best_{}, frozen_{};  // δ: of the least residual; of the last frozen problem
   double best_squared_{};
+  PhaseClock* clock_{};
 };
 
 }  // namespace handhold::realtime

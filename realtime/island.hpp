@@ -12,15 +12,6 @@
 
 namespace handhold::realtime {
 
-/// What the solve makes of a sample.
-enum class Role : std::uint8_t {
-  idle,     ///< out of reach
-  watch,    ///< apart, and to stay so unless the solution brings it in
-  linear,   ///< stuck before, and so far in this step
-  free,     ///< may stick, or let go: just came in, or was found to pull
-  sliding,  ///< slid before, or left its static cone: at most μ_d N
-};
-
 /// A sample whose force is not linear in the velocities: what it is given, and what comes out.
 struct Slider {
   std::size_t slot{};
@@ -41,10 +32,10 @@ struct Slider {
   }
 };
 
-/// One patch in one step.
+/// All patches between two bodies in one step; hands are one body here.
 struct PatchStep {
-  int patch{};               ///< in Contacts
-  int target{}, source{-1};  ///< bodies; source -1: a hand's
+  int target{}, source{-1};           ///< bodies; source -1: hands
+  int first_patch{}, patch_count{0};  ///< in Island::slots
   Stiffness stiffness{};
   Friction friction{};
   Eigen::Vector3d offset{Eigen::Vector3d::Zero()};  ///< from the source's centre of mass to the target's
@@ -61,6 +52,7 @@ struct PatchStep {
 struct Island {
   std::vector<int> bodies{};  ///< those that move
   std::vector<PatchStep> patches{};
+  std::vector<SlotStep> slots{};  ///< those of each PatchStep in a row
   std::vector<Slider> sliders{};
 };
 

@@ -13,10 +13,20 @@ using Eigen::Vector3d;
 
 constexpr double touching = 1e-6;  // [m]
 
-Matrix3d cross_times(const Vector3d& w, const Matrix3d& R) {
-  Matrix3d product;
-  for (int i = 0; i < 3; ++i) product.col(i) = w.cross(R.col(i));
-  return product;
+Matrix3d cross_matrix(const Vector3d& w) {
+  Matrix3d m;
+  m << 0, -w.z(), w.y(), w.z(), 0, -w.x(), -w.y(), w.x(), 0;
+  return m;
+}
+
+/// Rotation by a unit quaternion, less the identity: exactly zero for a hand that does not turn.
+Matrix3d turn_by(const Eigen::Quaterniond& q) {
+  const Vector3d two = 2 * q.vec(), w = q.w() * two;
+  const double xx = q.x() * two.x(), yy = q.y() * two.y(), zz = q.z() * two.z();
+  const double xy = q.x() * two.y(), xz = q.x() * two.z(), yz = q.y() * two.z();
+  Matrix3d turn;
+  turn << -yy - zz, xy - w.z(), xz + w.y(), xy + w.z(), -xx - zz, yz - w.x(), xz - w.y(), yz + w.x(), -xx - yy;
+  return turn;
 }
 
 }  // namespace
@@ -29,7 +39,8 @@ void World::step_island(double h) {
   Scheme scheme{.h = h, .theta = smooth ? 0.5 : 1.0};
   const auto solve = [&] {
     prepare(scheme);
-    return solver_.solve(island_, scheme.reach(), steps_, contacts_, samples_, role_, options_.solver);
+    lap(Phase::patches);
+    return solver_.solve(island_, scheme, steps_, contacts_, moments_, role_, options_.solver);
   };
   SolverReport report = solve();
   const bool jumps = options_.order == 2 && (!report.converged || changes_mode(scheme));
@@ -40,6 +51,7 @@ void World::step_island(double h) {
   }
   if (!report.converged) ++unconverged_;
   finish(scheme);
+  lap(Phase::finish);
 }
 
 void World::prepare(const Scheme& scheme) {
@@ -51,73 +63,83 @@ void World::prepare(const Scheme& scheme) {
     else
       predict_body(body, scheme);
   }
-  for (PatchStep& p : island_.patches) prepare_patch(p, scheme);
+  for (PatchStep& p : island_.patches) prepare_patches(p, scheme);
 }
 
-void World::prepare_patch(PatchStep& p, const Scheme& scheme) {
-  const PatchSlot& slot = patch(p.patch);
-  p.target = slot.body;
-  p.source = slot.of_body() ? slot.phalanx : -1;
-  const ContactParameters& contact = slot.of_body() ? scene_.body_contact : scene_.contact;
-  p.stiffness = {contact.stiffness, contact.damping, contact.stiffness * scheme.reach() + contact.damping};
+void World::prepare_patches(PatchStep& p, const Scheme& scheme) {
+  const ContactParameters& contact = p.source < 0 ? scene_.contact : scene_.body_contact;
+  const double k = contact.stiffness, c = contact.damping;
+  p.stiffness = {k, c, k * scheme.reach() + c, k * scheme.lead() + c};
   const Friction& friction = source(p.target).friction;
   p.friction = p.source < 0 ? friction : combined(friction, source(p.source).friction);
-  if (p.source >= 0) p.offset = steps_[std::size_t(p.target)].center - steps_[std::size_t(p.source)].center;
-  for (int i = 0; i < slot.count; ++i) {
-    const std::size_t s = slot.slot(i);
-    samples_.used[s] = p.source < 0 || contacts_.mode[s] != Mode::apart || (watched_[std::size_t(p.patch)] && near_[s]);
+  const BodyStep& target = steps_[std::size_t(p.target)];
+  if (p.source >= 0) p.offset = target.center - steps_[std::size_t(p.source)].center;
+  p.watches = false;
+  for (int i = p.first_patch; i < p.first_patch + p.patch_count; ++i) {
+    SlotStep& step = island_.slots[std::size_t(i)];
+    step.motion = p.source < 0 ? motion_of_hand(patch(step.patch), target, scheme)
+                               : motion_of_body(steps_[std::size_t(p.source)], target);
+    if (give_roles(p, step, scheme)) p.watches = true;
   }
-  const PatchMotion m = motion(p, scheme);
-  project(m, contacts_, slot, samples_);
-  bool anchored = false;
-  for (int i = 0; i < slot.count; ++i) {
-    const std::size_t s = slot.slot(i);
-    role_[s] = role_of(p, s, scheme);
-    samples_.linear[s] = role_[s] == Role::linear ? 1 : 0;
-    p.watches = p.watches || role_[s] == Role::watch;
-    anchored = anchored || role_[s] == Role::free || role_[s] == Role::watch;
-  }
-  if (anchored) project(m, contacts_, slot, samples_);
 }
 
-PatchMotion World::motion(const PatchStep& p, const Scheme& scheme) const {
-  const BodyStep& target = steps_[std::size_t(p.target)];
+/// Points of a phalanx go straight from where they are before the step to where they are after it, x0 to x1. With the
+/// turn Q from one to the other, x1 − x0 is (Q − 1) x0 to within the way of the centre, and for the mean
+/// 2 tan(α / 2) axis × (x0 + x1) / 2 (Cayley).
+PatchMotion World::motion_of_hand(const PatchSlot& patch, const BodyStep& target, const Scheme& scheme) const {
+  const Pose& X0 = now_[std::size_t(patch.hand)].X_WP[std::size_t(patch.phalanx)];
+  const Pose& X1 = next_[std::size_t(patch.hand)].X_WP[std::size_t(patch.phalanx)];
+  const Eigen::Quaterniond turn = X1.R * X0.R.conjugate();
+  const double rate = 1 / scheme.h;
   const Vector3d v0 = target.u0.head<3>(), w0 = target.u0.tail<3>();
   PatchMotion m;
-  if (p.source >= 0) {
-    const BodyStep& from = steps_[std::size_t(p.source)];
-    const Vector3d v1 = from.u0.head<3>(), w1 = from.u0.tail<3>();
-    m.R_a = from.R;
-    m.t_a = from.origin() - target.center;
-    m.R_v = cross_times(w1 - w0, m.R_a);
-    m.t_v = v1 - w1.cross(from.arm_O) - v0 - w0.cross(m.t_a);
+  m.R = X0.R.toRotationMatrix();
+  if (scheme.place() > 0) {
+    constexpr double half_turn = 1e-3;  // beyond it the mean of two orientations is none
+    m.R = Matrix3d(0.5 * (m.R + X1.R.toRotationMatrix()));
+    m.t = 0.5 * (X0.p + X1.p) - target.center;
+    m.W = cross_matrix(2 * rate / std::copysign(std::max(std::abs(turn.w()), half_turn), turn.w()) * turn.vec() - w0);
   } else {
-    const PatchSlot& slot = contacts_.patches[std::size_t(p.patch)];
-    const Pose& X0 = now_[std::size_t(slot.hand)].X_WP[std::size_t(slot.phalanx)];
-    const Pose& X1 = next_[std::size_t(slot.hand)].X_WP[std::size_t(slot.phalanx)];
-    const Matrix3d R0 = X0.R.toRotationMatrix(), R1 = X1.R.toRotationMatrix();
-    const double at = scheme.place() / scheme.h;
-    m.R_a = (1 - at) * R0 + at * R1;
-    m.t_a = (1 - at) * X0.p + at * X1.p - target.center;
-    m.R_v = (R1 - R0) / scheme.h - cross_times(w0, m.R_a);
-    m.t_v = (X1.p - X0.p) / scheme.h - v0 - w0.cross(m.t_a);
+    m.t = X0.p - target.center;
+    m.W = rate * turn_by(turn) - cross_matrix(w0);
   }
-  const double lead = scheme.reach() - scheme.place();
-  m.R_r = m.R_a + lead * m.R_v;
-  m.t_r = m.t_a + target.arm_O + lead * m.t_v;
-  m.R = target.R;
-  if (!target.turned) return m;
-  for (Matrix3d* R : {&m.R_v, &m.R_r, &m.R}) *R = Matrix3d(target.turn * *R);
-  for (Vector3d* t : {&m.t_v, &m.t_r}) *t = Vector3d(target.turn * *t);
+  m.u = rate * (X1.p - X0.p) - v0 - w0.cross(m.t);
   return m;
 }
 
-Role World::role_of(const PatchStep& p, std::size_t slot, const Scheme& scheme) {
+PatchMotion World::motion_of_body(const BodyStep& from, const BodyStep& target) const {
+  const Vector3d v0 = target.u0.head<3>(), w0 = target.u0.tail<3>();
+  const Vector3d v1 = from.u0.head<3>(), w1 = from.u0.tail<3>();
+  PatchMotion m;
+  m.R = from.R;
+  m.t = from.origin() - target.center;
+  m.W = cross_matrix(w1 - w0);
+  m.u = v1 - w1.cross(from.arm_O) - v0 - w0.cross(m.t);
+  return m;
+}
+
+/// True if a sample is on watch. Roles of samples that all stick, as they did, are what they were.
+bool World::give_roles(const PatchStep& p, const SlotStep& step, const Scheme& scheme) {
+  const PatchSlot& slots = patch(step.patch);
+  const StickMoments& moments = moments_[std::size_t(step.patch)];
+  if (!moments.stale && moments.count == slots.count) return false;
+  bool watches = false;
+  for (int i = 0; i < slots.count; ++i) {
+    const std::size_t slot = slots.slot(i);
+    role_[slot] = role_of(p, step, slot, scheme);
+    watches = watches || role_[slot] == Role::watch;
+  }
+  return watches;
+}
+
+Role World::role_of(const PatchStep& p, const SlotStep& step, std::size_t slot, const Scheme& scheme) {
   if (contacts_.mode[slot] == Mode::stick) return Role::linear;
   if (contacts_.mode[slot] == Mode::slip) return Role::sliding;
-  if (!samples_.used[slot]) return Role::idle;
+  const bool finger = p.source < 0;
+  if (!finger && !(watched_[std::size_t(step.patch)] && near_[slot])) return Role::idle;
   Anchor anchor;
-  const Role role = p.source < 0 ? role_of_finger(p, slot, scheme, anchor) : role_of_corner(p, slot, scheme, anchor);
+  const Role role =
+      finger ? role_of_finger(p, step, slot, scheme, anchor) : role_of_corner(p, step, slot, scheme, anchor);
   if (role == Role::idle) return role;
   contacts_.C_O.set(slot, anchor.C_O);
   contacts_.n_O.set(slot, anchor.n_O);
@@ -125,22 +147,24 @@ Role World::role_of(const PatchStep& p, std::size_t slot, const Scheme& scheme) 
 }
 
 /// Where a sample would be at the end of the step, in O, if nothing held its bodies back.
-Vector3d World::free_end(const PatchStep& p, std::size_t slot, const Scheme& scheme) const {
+Vector3d World::free_end(const PatchStep& p, const SlotStep& step, std::size_t slot, const Scheme& scheme) const {
   const BodyStep& target = steps_[std::size_t(p.target)];
   const RigidBody& body = bodies_[std::size_t(p.target)];
   Vector3d fall = -free_change(body, target, scheme);
   if (p.source >= 0) fall += free_change(bodies_[std::size_t(p.source)], steps_[std::size_t(p.source)], scheme);
-  const Vector3d end = samples_.arm[slot] + (scheme.h - scheme.place()) * (target.turn.transpose() * samples_.v[slot]) +
-                       scheme.h / scheme.theta * fall;
+  const Vector3d x = step.motion.R * contacts_.p_P[slot];
+  const Vector3d v = step.motion.W * x + step.motion.u;
+  const Vector3d end = x + step.motion.t + (scheme.h - scheme.place()) * v + scheme.h / scheme.theta * fall;
   return target.R.transpose() * end + body.center_O;
 }
 
 /// A hand's sample that is apart takes part if it would be inside at the end of the step: k d + c d' > 0 alone would
 /// let a damper push before the surface is reached.
-Role World::role_of_finger(const PatchStep& p, std::size_t slot, const Scheme& scheme, Anchor& anchor) const {
-  const PatchSlot& patch = contacts_.patches[std::size_t(p.patch)];
+Role World::role_of_finger(const PatchStep& p, const SlotStep& step, std::size_t slot, const Scheme& scheme,
+                           Anchor& anchor) const {
+  const PatchSlot& patch = contacts_.patches[std::size_t(step.patch)];
   const VoxelField& field = *source(p.target).field;
-  const Vector3d to = free_end(p, slot, scheme);
+  const Vector3d to = free_end(p, step, slot, scheme);
   const Vector3d from = steps_[std::size_t(p.target)].X_WO.inverse() * (start_pose(patch) * contacts_.p_P[slot]);
   const double interpolation = 0.5 * field.grid().spacing;
   if (field.distance(to).distance >= (to - from).norm() + interpolation) return Role::idle;  // no surface on the way
@@ -151,13 +175,14 @@ Role World::role_of_finger(const PatchStep& p, std::size_t slot, const Scheme& s
 /// A corner of a body on an edge of another has no nearest face there. The face it comes through is looked for from
 /// inside its own body, where it comes from. What the other contacts of both bodies leave of their motion shows only in
 /// the solution, so one that is near stays on watch.
-Role World::role_of_corner(const PatchStep& p, std::size_t slot, const Scheme& scheme, Anchor& anchor) const {
+Role World::role_of_corner(const PatchStep& p, const SlotStep& step, std::size_t slot, const Scheme& scheme,
+                           Anchor& anchor) const {
   const VoxelField& field = *source(p.target).field;
   const Pose X_OS = steps_[std::size_t(p.target)].X_WO.inverse() * steps_[std::size_t(p.source)].X_WO;
   const Vector3d& outward = outward_[std::size_t(p.source)][contacts_.id[slot].sample];
   const double thickness = source(p.source).field->bounds().sizes().minCoeff();
   const Vector3d inside = X_OS * (contacts_.p_P[slot] - 0.5 * thickness * outward);
-  const Vector3d to = free_end(p, slot, scheme);
+  const Vector3d to = free_end(p, step, slot, scheme);
   const Vector3d beyond = to + field.grid().spacing * (X_OS.R * outward);
   // A corner right on a corner would be missed as often as not: a micrometre towards the middle of the target it hits.
   const Vector3d aside = touching * (field.bounds().center() - to).normalized();
@@ -211,9 +236,9 @@ void World::finish(const Scheme& scheme) {
 
 void World::finish_slider(const PatchStep& p, const Slider& s, const Scheme& scheme) {
   if (!(s.trial.N > 0)) return let_go(s.slot, scheme.h);
-  contacts_.f_W.set(s.slot, s.f);
   const BodyStep& target = steps_[std::size_t(p.target)];
   const Matrix3d R = target.turn * target.R;
+  contacts_.f_O.set(s.slot, R.transpose() * s.f);
   const bool slides = s.sliding && s.trial.t_norm > p.friction.mu_dynamic * s.trial.N;
   Vector3d dv, dw;
   p.relative(steps_, dv, dw);

@@ -135,7 +135,7 @@ bool IslandSystem::balance(Island& island, const std::vector<BodyStep>& bodies, 
     const Matrix3d& aa = p.sums.arm_arm;
     Vector3d force = p.sums.force - s * (p.sums.count * dv + dw.cross(p.sums.arm));
     Vector3d torque = p.sums.torque - s * (p.sums.arm.cross(dv) + aa.trace() * dw - aa * dw);
-    size += reach_ * force.norm();
+    size += reach_ * std::max(force.norm(), p.sums.size);
     for (int i = p.first_slider; i < p.first_slider + p.slider_count; ++i) {
       Slider& slider = island.sliders[std::size_t(i)];
       evaluate(slider, dv + dw.cross(slider.arm), p.friction, cones);

@@ -92,7 +92,7 @@ void World::rank_bodies() {
 /// Room for all that there is one of by slot or by patch.
 void World::resize_for_slots() {
   const std::size_t slots = contacts_.size(), patches = contacts_.patches.size();
-  samples_.resize(slots);
+  moments_.resize(patches);
   role_.resize(slots, Role::idle);
   near_.resize(slots);
   watched_.resize(patches);
@@ -105,6 +105,7 @@ void World::resize_for_slots() {
   active_patches_.reserve(2 * patches);
   active_.reserve(patches);
   island_.patches.reserve(patches);
+  island_.slots.reserve(patches);
   island_.sliders.reserve(slots);
   events_.reserve(slots * std::size_t(std::min(options_.substeps, 4)));
 }
@@ -152,9 +153,15 @@ void World::advance(double dt, const std::vector<HandFrame>& hands) {
     std::swap(now_, next_);
     first_substep_ = i == 1;
     place_hands(double(i) / options_.substeps);
+    lap(Phase::hands);
     substep(h);
     t_ = begin + dt * i / options_.substeps;
   }
+}
+
+void World::watch(PhaseClock* clock) {
+  clock_ = clock;
+  solver_.watch(clock);
 }
 
 void World::place_hands(double fraction) {
@@ -182,22 +189,36 @@ void World::predict_body(int body, const Scheme& scheme) {
 
 void World::substep(double h) {
   for (std::size_t i = 0; i < bodies_.size(); ++i) predict_body(int(i), {.h = h});
+  lap(Phase::bodies);
   release_lost_hands(h);
   detect(h);
+  lap(Phase::detection);
   find_islands();
   std::size_t member = 0, patch = 0;
   while (member < members_.size()) {
     const int island = members_[member].first;
     island_.bodies.clear();
     island_.patches.clear();
+    island_.slots.clear();
     for (; member < members_.size() && members_[member].first == island; ++member) {
       const int body = by_rank_[std::size_t(members_[member].second)];
       if (bodies_[std::size_t(body)].moves()) island_.bodies.push_back(body);
     }
-    for (; patch < active_.size() && active_[patch].island == island; ++patch)
-      island_.patches.push_back({.patch = active_[patch].patch});
+    for (; patch < active_.size() && active_[patch].island == island; ++patch) add_to_island(active_[patch].patch);
+    lap(Phase::islands);
     step_island(h);
   }
+}
+
+/// Patches come sorted, those between the same two bodies in a row.
+void World::add_to_island(int index) {
+  const PatchSlot& slot = patch(index);
+  const int from = slot.of_body() ? slot.phalanx : -1;
+  std::vector<PatchStep>& steps = island_.patches;
+  if (steps.empty() || steps.back().target != slot.body || steps.back().source != from)
+    steps.push_back({.target = slot.body, .source = from, .first_patch = int(island_.slots.size())});
+  ++steps.back().patch_count;
+  island_.slots.emplace_back(index);
 }
 
 void World::release_lost_hands(double h) {

@@ -10,6 +10,7 @@
 #include "realtime/contacts.hpp"
 #include "realtime/hand_path.hpp"
 #include "realtime/implicit_step.hpp"
+#include "realtime/phase_clock.hpp"
 #include "realtime/proximity.hpp"
 #include "realtime/rigid_body.hpp"
 #include "realtime/surface.hpp"
@@ -52,6 +53,9 @@ class World {
   /// One frame of `dt` seconds, at whose end the hands are at `hands`.
   void advance(double dt, const std::vector<HandFrame>& hands);
 
+  /// From now on every step tells `clock` where its time goes; null: none does.
+  void watch(PhaseClock* clock);
+
   [[nodiscard]] double time() const { return t_; }
   [[nodiscard]] const RigidBody& body() const { return bodies_.front(); }
   /// In the order of the scene.
@@ -59,6 +63,8 @@ class World {
   [[nodiscard]] const Contacts& contacts() const { return contacts_; }
   /// The sample of a slot now: an apart one has its anchor below it, if the surface is near.
   [[nodiscard]] ContactState contact(std::size_t slot) const;
+  /// On the object over the last sub-step, in W [N].
+  [[nodiscard]] Eigen::Vector3d force(std::size_t slot) const;
   /// Changes of mode since the last `advance` began; times are the ends of sub-steps.
   [[nodiscard]] const std::vector<Event>& events() const { return events_; }
   [[nodiscard]] Energy energy() const;
@@ -79,6 +85,10 @@ class World {
   void start_given(const PatchSlot& patch);
   void place_hands(double fraction);
   void substep(double h);
+  void add_to_island(int index);
+  void lap(Phase phase) {
+    if (clock_) clock_->lap(phase);
+  }
   void release_lost_hands(double h);
   void predict_body(int body, const Scheme& scheme);
   [[nodiscard]] const Pose& start_pose(const PatchSlot& patch) const;
@@ -105,12 +115,17 @@ class World {
   // island_step.cpp
   void step_island(double h);
   void prepare(const Scheme& scheme);
-  void prepare_patch(PatchStep& p, const Scheme& scheme);
-  [[nodiscard]] PatchMotion motion(const PatchStep& p, const Scheme& scheme) const;
-  [[nodiscard]] Role role_of(const PatchStep& p, std::size_t slot, const Scheme& scheme);
-  [[nodiscard]] Eigen::Vector3d free_end(const PatchStep& p, std::size_t slot, const Scheme& scheme) const;
-  [[nodiscard]] Role role_of_finger(const PatchStep& p, std::size_t slot, const Scheme& scheme, Anchor& anchor) const;
-  [[nodiscard]] Role role_of_corner(const PatchStep& p, std::size_t slot, const Scheme& scheme, Anchor& anchor) const;
+  void prepare_patches(PatchStep& p, const Scheme& scheme);
+  [[nodiscard]] PatchMotion motion_of_hand(const PatchSlot& patch, const BodyStep& target, const Scheme& scheme) const;
+  [[nodiscard]] PatchMotion motion_of_body(const BodyStep& from, const BodyStep& target) const;
+  [[nodiscard]] bool give_roles(const PatchStep& p, const SlotStep& step, const Scheme& scheme);
+  [[nodiscard]] Role role_of(const PatchStep& p, const SlotStep& step, std::size_t slot, const Scheme& scheme);
+  [[nodiscard]] Eigen::Vector3d free_end(const PatchStep& p, const SlotStep& step, std::size_t slot,
+                                         const Scheme& scheme) const;
+  [[nodiscard]] Role role_of_finger(const PatchStep& p, const SlotStep& step, std::size_t slot, const Scheme& scheme,
+                                    Anchor& anchor) const;
+  [[nodiscard]] Role role_of_corner(const PatchStep& p, const SlotStep& step, std::size_t slot, const Scheme& scheme,
+                                    Anchor& anchor) const;
   [[nodiscard]] bool changes_mode(const Scheme& scheme) const;
   void finish(const Scheme& scheme);
   void finish_slider(const PatchStep& p, const Slider& s, const Scheme& scheme);
@@ -128,8 +143,8 @@ class World {
   std::vector<RigidBody> bodies_;
   std::vector<int> rank_, by_rank_;  // of a body in all sums, and the other way round
   Contacts contacts_;
-  SampleSteps samples_;
-  std::vector<Role> role_;  // by slot
+  std::vector<StickMoments> moments_;  // by patch
+  std::vector<Role> role_;             // by slot
   std::vector<int> patch_of_slot_;
   std::vector<std::uint8_t> watched_;  // by patch of a pair of bodies: apart samples may touch in this step
   std::vector<std::uint8_t> near_;     // by slot of those: which
@@ -165,6 +180,7 @@ class World {
   double t_{};
   double hand_work_{}, dissipated_{}, start_height_{};
   long unconverged_{};
+  PhaseClock* clock_{};
 };
 
 }  // namespace handhold::realtime

@@ -20,6 +20,7 @@
 #include "reports/scene_source.hpp"
 #include "tests/bench/goals.hpp"
 #include "tests/bench/options.hpp"
+#include "tests/bench/phases.hpp"
 #include "tests/bench/play.hpp"
 #include "tests/bench/series.hpp"
 
@@ -152,6 +153,29 @@ void print_timing(const std::vector<Series>& all) {
   }
 }
 
+/// The sum is a little off the median of whole frames: no frame is the median one in every phase.
+void print_phases(const std::map<std::string, Entry>& entries, const Options& options) {
+  fmt::print("\nWhere the time of a frame goes [us], and how much of it\n{:<12}", "");
+  std::vector<realtime::PhaseClock::Seconds> columns;
+  std::vector<double> sums;
+  for (const auto& [id, entry] : entries) {
+    columns.push_back(time_phases(entry.benchmark.scene, entry.hands, options.frame_rate, options.substeps,
+                                  options.order, options.rounds));
+    sums.push_back(std::accumulate(columns.back().begin(), columns.back().end(), 0.0));
+    fmt::print("{:>16}", id);
+  }
+  fmt::print("\n");
+  for (std::size_t phase = 0; phase < realtime::phase_names.size(); ++phase) {
+    fmt::print("{:<12}", realtime::phase_names[phase]);
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      fmt::print("{:>10.2f}{:>4.0f} %", 1e6 * columns[i][phase], 100 * columns[i][phase] / sums[i]);
+    fmt::print("\n");
+  }
+  fmt::print("{:<12}", "sum");
+  for (const double sum : sums) fmt::print("{:>10.2f}{:>6}", 1e6 * sum, "");
+  fmt::print("\n");
+}
+
 void print_gate(const std::string& who, const Gate& gate) {
   fmt::print("{:<22}{:<38}{:>13.3e} {} {:<9.3g} {:<5}{}\n", who, gate.quantity, gate.measured,
              gate.bound == compare::Bound::at_most ? "<=" : ">=", gate.limit, gate.unit,
@@ -273,6 +297,7 @@ void run(const Options& options) {
       if (one.scene == series.scene && one.engine == series.engine) series.verdict = verdict(one.gates);
   const std::vector<Gate> reached = goals(times);
   if (options.timing) print_timing(times);
+  if (options.phases) print_phases(entries, options);
   print_goals(reached);
   if (options.quality) print_quality(judged);
   if (!options.trace.empty()) times.push_back(time_trace(options));

@@ -49,6 +49,8 @@ Options parse(const std::vector<std::string>& arguments) {
       options.timing = false;
     else if (name == "--no-quality")
       options.quality = false;
+    else if (name == "--phases")
+      options.phases = true;
     else if (name == "--scenes")
       options.scenes = split(value());
     else if (name == "--rounds")
@@ -81,6 +83,7 @@ Plays the benchmark scenes S1 to S6 (docs/benchmarks.md), tells what a frame cos
   --order N        of the real-time path: 1 implicit Euler, 2 implicit midpoint; 2 for S3, else 1
   --frame-rate HZ  90
   --no-timing, --no-quality
+  --phases         where the time of a frame of the real-time path goes
   --trace FILE     a recorded hand, with a mug in its first grasp, in the table of the paper's Fig. 10
   --json FILE      everything as JSON
 

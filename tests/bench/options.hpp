@@ -10,6 +10,7 @@ struct Options {
   std::vector<std::string> scenes{};  ///< ids; empty: those that are timed, or all in quality
   bool peers{false};                  ///< MuJoCo, ODE and DART as well, where built in
   bool timing{true}, quality{true};
+  bool phases{false};  ///< where the time of a frame goes as well
   int rounds{5};
   int substeps{4};  ///< of the real-time path
   int order{0};     ///< of the real-time path, 1 or 2; 0: see order_of

@@ -173,9 +173,9 @@ class StepAudit {
       for (int i = 0; i < patch.count; ++i) {
         const std::size_t slot = patch.slot(i);
         if (now.mode[slot] == Mode::apart)
-          require(now.f_W[slot].isZero(0), Name{now.id[slot]}, " is apart and has a force");
+          require(world.force(slot).isZero(0), Name{now.id[slot]}, " is apart and has a force");
         else
-          check_sample(now, patch, slot);
+          check_sample(world, patch, slot);
       }
     }
     for (std::size_t i = 0; i < moved_.size(); ++i) size_ += h_ * weight(moved_[i]).norm() + size_of(moved_[i]);
@@ -256,13 +256,14 @@ class StepAudit {
     return find_touch(*scene_.bodies[std::size_t(patch.body)].field, from, to, TouchNormal::smooth, anchor);
   }
 
-  void check_sample(const Contacts& now, const PatchSlot& patch, std::size_t slot) {
+  void check_sample(const World& world, const PatchSlot& patch, std::size_t slot) {
+    const Contacts& now = world.contacts();
     Moved& target = moved_[std::size_t(patch.body)];
     Moved* const source = patch.of_body() ? &moved_[std::size_t(patch.phalanx)] : nullptr;
     const ContactParameters& contact = source ? scene_.body_contact : scene_.contact;
     Friction friction = scene_.bodies[std::size_t(patch.body)].friction;
     if (source) friction = combined(friction, scene_.bodies[std::size_t(patch.phalanx)].friction);
-    const Vector3d f = now.f_W[slot], p_P = now.p_P[slot];
+    const Vector3d f = world.force(slot), p_P = now.p_P[slot];
     const Vector3d p0 = source ? bodies_[std::size_t(patch.phalanx)].X_WO * p_P : hand_point(patch, p_P);
     const Vector3d p1 = after_point(patch, p_P), share = (p1 - p0) / h_;
     const Vector3d p = source ? source->at(p_P) : Vector3d(p0 + place_ * share);  // where the step is linearised
