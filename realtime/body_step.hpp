@@ -13,8 +13,8 @@ struct Scheme {
   /// its start: what swings then keeps its amplitude (symplectic), and a pair of bodies its angular momentum; the end,
   /// as predicted, would damp every swing.
   [[nodiscard]] double place() const { return theta == 1 ? 0 : theta * h; }
-  [[nodiscard]] double reach() const { return theta * h; }  ///< from the start to where forces are taken [s]
-  [[nodiscard]] double lead() const { return reach() - place(); }
+  [[nodiscard]] double reach() const { return theta * h; }         ///< from the start to where forces are taken [s]
+  [[nodiscard]] double lead() const { return reach() - place(); }  ///< from `place` to there [s]
 };
 
 /// A body in one step: where forces are seen to act, and its momentum balance there.
