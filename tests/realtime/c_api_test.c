@@ -169,6 +169,7 @@ int main(void) {
   CHECK(hh_options_init(HH_COULOMB, &options, &error) == HH_OK);
   CHECK(hh_contact_set_options(contact, &options, &error) == HH_OK);
   if (contact) test_push(contact, &hand, NULL); /* the same forces while it sticks; errors need no place to go */
+  hh_contact_destroy(contact);
   CHECK(hh_contact_create(NULL, &object, &hand, 1, &options, &contact, &error) == HH_WRONG_INPUT);
   CHECK(contact == NULL);
   /* s m g / (mu n d) = 3 * 0.2 * 9.81 / (0.5 * 16 * 0.003) */
