@@ -215,16 +215,21 @@ void print_fig10(const std::vector<Series>& all) {
   }
 }
 
-Series time_trace(const Options& options) {
+Scene recorded_scene(const std::string& trace) {
   reports::SceneRequest request;
-  request.trace_file = options.trace;
+  request.trace_file = trace;
   request.object = "shape:mug";
-  const Scene scene = reports::load_scenes(request).front().scene;
+  return reports::load_scenes(request).front().scene;
+}
+
+Series time_recorded(const Scene& scene, const Options& options) {
   const HandFrames hands = hand_frames(scene, options.frame_rate);
   const int order = order_of(options, "trace");
   Series series("trace", "realtime", fmt::format("substeps {}, order {}", options.substeps, order));
-  for (int round = 0; round < options.rounds; ++round)
+  for (int round = 0; round < options.rounds; ++round) {
+    tell(fmt::format("round {} of {}: the recorded hand", round + 1, options.rounds));
     series.add(play_realtime(scene, hands, options.frame_rate, options.substeps, order));
+  }
   return series;
 }
 
@@ -288,6 +293,8 @@ void run(const Options& options) {
     entry.benchmark = catalogue::benchmark_scene(id);
     entry.hands = hand_frames(entry.benchmark.scene, options.frame_rate);
   }
+  std::optional<Scene> recorded;  // read first: a wrong name is told at once, not after the rounds
+  if (!options.trace.empty()) recorded = recorded_scene(options.trace);
   std::vector<Series> times;
   std::vector<Judged> judged;
   if (options.timing) times = time_all(entries, options);
@@ -300,7 +307,7 @@ void run(const Options& options) {
   if (options.phases) print_phases(entries, options);
   print_goals(reached);
   if (options.quality) print_quality(judged);
-  if (!options.trace.empty()) times.push_back(time_trace(options));
+  if (recorded) times.push_back(time_recorded(*recorded, options));
   if (options.timing) print_fig10(times);
   if (!options.json.empty()) write_json(options, times, reached, judged);
 }
