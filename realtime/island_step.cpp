@@ -225,6 +225,7 @@ void World::finish(const Scheme& scheme) {
     moved_[std::size_t(body)] = scheme.h * u.head<3>();
     changed_[std::size_t(body)] = rigid.v - s.u0.head<3>();
     turned_[std::size_t(body)] = scheme.h * u.tail<3>().norm();
+    scheme_[std::size_t(body)] = scheme;
     book_body(body, scheme);
   }
   for (const PatchStep& p : island_.patches) {

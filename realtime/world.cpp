@@ -64,6 +64,7 @@ World::World(const Scene& scene, const Options& options) : scene_(scene), option
   moved_.assign(bodies, Eigen::Vector3d::Zero());
   changed_.assign(bodies, Eigen::Vector3d::Zero());
   jumped_.assign(bodies, 0);
+  scheme_.resize(bodies);
   parent_.resize(bodies);
   members_.reserve(bodies);
   island_.bodies.reserve(bodies);

@@ -68,6 +68,8 @@ class World {
   /// Changes of mode since the last `advance` began; times are the ends of sub-steps.
   [[nodiscard]] const std::vector<Event>& events() const { return events_; }
   [[nodiscard]] Energy energy() const;
+  /// The scheme that a body's last sub-step was done with; see Options::order.
+  [[nodiscard]] Scheme scheme(std::size_t body) const { return scheme_[body]; }
   /// Solves that did not reach their tolerance, ever.
   [[nodiscard]] long unconverged() const { return unconverged_; }
 
@@ -170,6 +172,7 @@ class World {
   std::vector<Eigen::Vector3d> changed_;  // ... and change of velocity
   std::vector<Eigen::Vector3d> moved_;    // ... and way of the centre
   std::vector<std::uint8_t> jumped_;      // by body, of the second order: a contact of its island changed its mode
+  std::vector<Scheme> scheme_;            // by body: of its last step
   std::vector<int> parent_;               // of a body in its island
   std::vector<Active> active_;
   std::vector<std::pair<int, int>> members_;  // (island, rank), of every body

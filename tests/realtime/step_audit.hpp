@@ -66,10 +66,7 @@ class StepAudit {
   using Matrix3d = Eigen::Matrix3d;
 
   StepAudit(const Scene& scene, const Options& options)
-      : scene_(scene),
-        order_(options.order),
-        paths_(scene.hands.size(), HandPath(options.longest_bridge)),
-        moved_(scene.bodies.size()) {}
+      : scene_(scene), paths_(scene.hands.size(), HandPath(options.longest_bridge)), moved_(scene.bodies.size()) {}
 
   void begin(const World& world, const std::vector<HandFrame>& hands) {
     for (std::size_t i = 0; i < paths_.size(); ++i) paths_[i].observe(0, hands[i]);
@@ -78,11 +75,9 @@ class StepAudit {
     tally_.throughput = world.energy().kinetic;
   }
 
-  /// Advances a world of one sub-step a frame by h, and audits that. Of the second order, whose steps fall back to the
-  /// first unseen, only what is the same in both: all but angular momentum, element and energy.
+  /// Advances a world of one sub-step a frame by h, and audits that, of either order.
   void advance(World& world, double h, const std::vector<HandFrame>& hands) {
     h_ = h;
-    place_ = Scheme{.h = h, .theta = theta()}.place();
     t_ = world.time();
     bodies_ = world.bodies();
     contacts_ = world.contacts();
@@ -105,21 +100,24 @@ class StepAudit {
   }
 
  private:
-  [[nodiscard]] double theta() const { return order_ == 2 ? 0.5 : 1; }
-
   /// A body in the step: pose about which all is linearised, velocities before and while it moves, momenta about its
   /// centre.
   struct Moved {
     bool moves{false}, turns{false};
+    Scheme scheme{};
     double mass{}, grown{1};
     Vector3d center_O{Vector3d::Zero()}, center{Vector3d::Zero()};
     Matrix3d R{Matrix3d::Identity()}, inverse_J{Matrix3d::Zero()};
     Matrix3d turn{Matrix3d::Identity()};  // of forces, from there to where they are taken
     Vector3d u0{Vector3d::Zero()}, w0{Vector3d::Zero()}, u{Vector3d::Zero()}, w{Vector3d::Zero()};
+    Vector3d v1{Vector3d::Zero()};  // at the end
     Vector3d L0{Vector3d::Zero()}, L1{Vector3d::Zero()};
     Vector3d force{Vector3d::Zero()}, torque{Vector3d::Zero()};  // sums of contacts
     Vector3d load{Vector3d::Zero()}, load_torque{Vector3d::Zero()};
 
+    [[nodiscard]] Vector3d at_theta(const Vector3d& start, const Vector3d& end) const {
+      return scheme.theta == 1 ? end : Vector3d(0.5 * (start + end));
+    }
     [[nodiscard]] Vector3d at(const Vector3d& p_O) const { return center + R * (p_O - center_O); }
     [[nodiscard]] Vector3d velocity(const Vector3d& p) const { return u + w.cross(p - center); }
     [[nodiscard]] Vector3d velocity_before(const Vector3d& p) const { return u0 + w0.cross(p - center); }
@@ -200,8 +198,9 @@ class StepAudit {
     m.turns = before.turns();
     m.mass = before.mass;
     m.center_O = before.center_O;
-    const Load load = scene_.bodies[i].load ? scene_.bodies[i].load(t_ + theta() * h_) : Load{};
-    const BodyStep step = predict(before, {.h = h_, .theta = theta()}, scene_.gravity, load, before.held(t_ + h_));
+    m.scheme = {.h = h_, .theta = m.moves ? world.scheme(i).theta : 1};
+    const Load load = scene_.bodies[i].load ? scene_.bodies[i].load(t_ + m.scheme.reach()) : Load{};
+    const BodyStep step = predict(before, m.scheme, scene_.gravity, load, before.held(t_ + h_));
     m.R = step.R;
     m.turn = step.turn;
     m.center = step.center;
@@ -209,14 +208,15 @@ class StepAudit {
     if (before.held(t_ + h_)) m.grown = 1 + h_ / support_time;
     m.u0 = before.v;
     m.w0 = before.w;
-    m.u = after.v;
+    m.u = m.scheme.theta == 1 ? after.v : Vector3d(0.5 * (before.v + after.v));
+    m.v1 = after.v;
     m.load = load.force_W;
     m.load_torque = load.torque_W;
     if (!m.turns) return m;
     m.inverse_J = m.R * before.inverse_inertia_O * m.R.transpose();
     m.L0 = before.inertia() * before.w;
     m.L1 = after.inertia() * after.w;
-    m.w = m.inverse_J * m.L1;
+    m.w = m.inverse_J * m.at_theta(m.L0, m.L1);
     return m;
   }
 
@@ -250,7 +250,7 @@ class StepAudit {
     const Vector3d p0 = path.is_back() ? path.last_seen(patch.phalanx) * p_P : hand_point(patch, p_P);
     const Moved& body = moved_[std::size_t(patch.body)];
     const Vector3d fall = body.moves ? Vector3d(h_ * h_ / body.mass * weight(body)) : Vector3d(Vector3d::Zero());
-    const Vector3d way = (h_ - place_) * (v_p - body.velocity_before(p)) - fall;
+    const Vector3d way = (h_ - body.scheme.place()) * (v_p - body.velocity_before(p)) - fall;
     const Vector3d to = body.R.transpose() * (p - body.center + way) + body.center_O;
     const Vector3d from = bodies_[std::size_t(patch.body)].X_WO.inverse() * p0;
     return find_touch(*scene_.bodies[std::size_t(patch.body)].field, from, to, TouchNormal::smooth, anchor);
@@ -264,11 +264,14 @@ class StepAudit {
     Friction friction = scene_.bodies[std::size_t(patch.body)].friction;
     if (source) friction = combined(friction, scene_.bodies[std::size_t(patch.phalanx)].friction);
     const Vector3d f = world.force(slot), p_P = now.p_P[slot];
+    // Bodies in contact are of one island, and moved by one scheme; a fixed one has none of its own.
+    const Scheme scheme = source && !target.moves ? source->scheme : target.scheme;
+    const double place_ = scheme.place(), reach = scheme.reach();
     const Vector3d p0 = source ? bodies_[std::size_t(patch.phalanx)].X_WO * p_P : hand_point(patch, p_P);
     const Vector3d p1 = after_point(patch, p_P), share = (p1 - p0) / h_;
     const Vector3d p = source ? source->at(p_P) : Vector3d(p0 + place_ * share);  // where the step is linearised
     const Vector3d v_p = source ? source->velocity(p) : share;
-    const double k = contact.stiffness, c = contact.damping, slope = k * h_ + c;
+    const double k = contact.stiffness, c = contact.damping, slope = k * reach + c;
 
     // Sums of the momentum balance, and what rounding makes of them: of positions a metre from the origin, times k.
     target.force += f;
@@ -288,10 +291,6 @@ class StepAudit {
     const bool slides = now.mode[slot] == Mode::slip;
     tally_.slides += slides;
     Anchor anchor{now.C_O[slot], now.n_O[slot]};  // before the step
-    if (slides && touched && order_ == 2) {       // in a fall back to the first order, from an anchor of its own
-      known_ = false;
-      return;
-    }
     if (slides && touched && !touch_of_finger(patch, p_P, p, share, anchor)) {
       ++tally_.unknown;
       known_ = false;
@@ -303,10 +302,7 @@ class StepAudit {
     const double mu = slides ? friction.mu_dynamic : friction.mu_static;
     const Matrix3d R = target.turn * target.R;
     const Vector3d n = R * anchor.n_O;
-    const RigidBody& start = bodies_[std::size_t(patch.body)];
-    const Vector3d n_euler = (rotation_by(h_ * start.w) * start.X_WO.R) * anchor.n_O;
-    const double outside = std::min(beyond(f, n, mu), order_ == 2 ? beyond(f, n_euler, mu) : 1e300);
-    bound(outside, 1e-12 * f.norm(), tally_.cone, Name{now.id[slot]}, " leaves its cone");
+    bound(beyond(f, n, mu), 1e-12 * f.norm(), tally_.cone, Name{now.id[slot]}, " leaves its cone");
     const Vector3d tangent = f - f.dot(n) * n;
 
     // What friction moves, it moves forward, but for the anchor's leap onto the voxels' surface: half a voxel at edges.
@@ -314,28 +310,27 @@ class StepAudit {
     const double leap = 0.5 * scene_.bodies[std::size_t(patch.body)].field->grid().spacing;
     tally_.backward += tangent.dot(moved) < -leap * tangent.norm();
     slack_ += std::max(0.0, -tangent.dot(moved));
-    if (order_ == 2) return;
-
     // The element at the solution, as linearised.
     const Vector3d v_before = (source ? source->velocity_before(p) : share) - target.velocity_before(p);
     const Vector3d turned = target.turn * v_before - v_before;
     const Vector3d v = v_before + turned - target.change(p) + (source ? source->change(p) : Vector3d(Vector3d::Zero()));
-    const Vector3d r0 = target.turn * (p - target.at(anchor.C_O) - place_ * v_before), r1 = r0 + h_ * v;
-    const double closing = -v.dot(n), d = -r1.dot(n);
-    const Vector3d lag = r1 + d * n, v_t = v + closing * n, pull = k * lag + c * v_t;
+    const Vector3d r0 = target.turn * (p - target.at(anchor.C_O) - place_ * v_before), r = r0 + reach * v;
+    const Vector3d r1 = r0 + h_ * v;
+    const double closing = -v.dot(n), d = -r.dot(n);
+    const Vector3d lag = r + d * n, v_t = v + closing * n, pull = k * lag + c * v_t;
     Vector3d law = -(k * d + c * closing) * n + pull, stretch = v_t, straight = Vector3d::Zero();
     if (slides) {
-      const Vector3d before = lag - h_ * v_t, cap = friction.mu_dynamic * (k * d + c * closing) * pull.normalized();
+      const Vector3d before = lag - reach * v_t, cap = friction.mu_dynamic * (k * d + c * closing) * pull.normalized();
       law += cap - pull;
-      stretch = ((cap + c / h_ * before) / (k + c / h_) - before) / h_;
+      stretch = ((cap + c / reach * before) / (k + c / reach) - before) / reach;
       straight = h_ * (v_t - stretch);
     }
     bound((f - law).norm(), 1e-12 * f.norm() + 10 * (rounding + speed_rounding), tally_.element, Name{now.id[slot]},
           " breaks its law");
 
-    const auto stored = [k](const Vector3d& r) { return 0.5 * k * r.squaredNorm(); };
+    const auto stored = [k](const Vector3d& at) { return 0.5 * k * at.squaredNorm(); };
     const Vector3d end = true_end(now, patch, slot);
-    terms_.numerical -= 0.5 * k * h_ * h_ * (closing * closing + stretch.squaredNorm());
+    if (scheme.theta == 1) terms_.numerical -= 0.5 * k * h_ * h_ * (closing * closing + stretch.squaredNorm());
     const double slid = stored(r1 - moved) - stored(r1 - straight) + tangent.dot(moved - straight);
     terms_.blocked += slid;
     terms_.turning += stored(end) - stored(r1 - moved);
@@ -363,38 +358,36 @@ class StepAudit {
     const Moved& m = moved_[i];
     if (!m.moves) return;
     const double allowed = 2e-13 * size_ + noise_ + 1e-18;  // [N s]: what oil leaves of a motion is nobody's concern
-    // P1 − P0 = h (F + f) − m v h / τ at θ h, where v = v0 + θ (v1 − v0): the same for both θ but in oil.
-    const auto linear = [&](double theta) -> Vector3d {
-      const Vector3d v = m.u0 + theta * (m.u - m.u0);
-      return m.mass * (m.u - m.u0 + (m.grown - 1) * v) - h_ * (weight(m) + m.force);
-    };
-    bound(std::min(linear(1).norm(), linear(theta()).norm()), allowed, tally_.momentum, "linear momentum of body ", i);
-    if (!m.turns || order_ == 2) return;
-    const Vector3d angular = m.grown * m.L1 - m.L0 - h_ * (m.load_torque + m.torque);
+    // P1 − P0 = h (F + f) − P_θ h / τ.
+    const Vector3d linear = m.mass * (m.v1 - m.u0 + (m.grown - 1) * m.u) - h_ * (weight(m) + m.force);
+    bound(linear.norm(), allowed, tally_.momentum, "linear momentum of body ", i);
+    if (!m.turns) return;
+    const Vector3d angular = m.L1 - m.L0 + (m.grown - 1) * m.at_theta(m.L0, m.L1) - h_ * (m.load_torque + m.torque);
     bound(angular.norm(), allowed, tally_.momentum, "angular momentum of body ", i);
   }
 
   void check_energy(const World& world) {
     const Energy now = world.energy();
-    require(!known_ || order_ == 2 || now.dissipated >= energy_.dissipated - slack_, "dissipation falls by ",
+    require(!known_ || now.dissipated >= energy_.dissipated - slack_, "dissipation falls by ",
             energy_.dissipated - now.dissipated);
     tally_.throughput += power_;
     tally_.growth = std::max(tally_.growth, book(world) - start_);
     appeared_ += terms_.appearing;
-    if (order_ == 1)
-      tally_.gain =
-          std::max(tally_.gain, now.kinetic + now.potential - (now.hand_work - turned_work_) - start_ - appeared_);
+    tally_.gain =
+        std::max(tally_.gain, now.kinetic + now.potential - (now.hand_work - turned_work_) - start_ - appeared_);
     double fastest = 0;
     for (std::size_t i = 0; i < moved_.size(); ++i) {
       const Moved& m = moved_[i];
       if (!m.moves) continue;
       fastest = std::max({fastest, m.u.norm() + m.u0.norm(), m.w.norm() + m.w0.norm()});
-      terms_.numerical -= 0.5 * m.mass * (m.u - m.u0).squaredNorm();
+      const bool loses = m.scheme.theta == 1;
+      if (loses) terms_.numerical -= 0.5 * m.mass * (m.u - m.u0).squaredNorm();
       if (!m.turns) continue;
-      terms_.numerical -= 0.5 * (m.L1 - m.L0).dot(m.inverse_J * (m.L1 - m.L0));
-      terms_.turning += 0.5 * m.L1.dot(world.bodies()[i].w - m.w) - 0.5 * m.L0.dot(m.w0 - m.inverse_J * m.L0);
+      if (loses) terms_.numerical -= 0.5 * (m.L1 - m.L0).dot(m.inverse_J * (m.L1 - m.L0));
+      terms_.turning +=
+          0.5 * m.L1.dot(world.bodies()[i].w - m.inverse_J * m.L1) - 0.5 * m.L0.dot(m.w0 - m.inverse_J * m.L0);
     }
-    if (!known_ || order_ == 2) return;
+    if (!known_) return;
     ++tally_.audited;
     tally_.terms.numerical += terms_.numerical;
     tally_.terms.turning += terms_.turning;
@@ -414,10 +407,9 @@ class StepAudit {
   }
 
   const Scene& scene_;
-  int order_;
   AuditTally tally_{};
   std::vector<HandPath> paths_;
-  double h_{}, place_{}, t_{}, start_{}, appeared_{};
+  double h_{}, t_{}, start_{}, appeared_{};
   double turned_work_{};  // what the book's work of hands is more than Σ h f·v_p: it sees v_p turned, too [J]
   bool solved_{true}, known_{true};
   std::vector<HandFrame> hands_{};
