@@ -29,6 +29,14 @@ Matrix3d turn_by(const Eigen::Quaterniond& q) {
   return turn;
 }
 
+/// Whether the lag of a slider ends on its other side: the midpoint rule takes one that is too long by as much too
+/// short, and then back again. So it is after a blow, say, when the pressure that had allowed it is gone.
+bool turns_over(const Slider& s, const Scheme& scheme) {
+  const Vector3d before = s.trial.lag - scheme.reach() * s.trial.v_t;
+  const Vector3d change = (lag_after_sliding(s.element, s.tangent, before) - before) / scheme.theta;
+  return s.tangent.dot(before) > 0 && s.tangent.dot(before + change) < 0;
+}
+
 }  // namespace
 
 void World::step_island(double h) {
@@ -196,8 +204,8 @@ Role World::role_of_corner(const PatchStep& p, const SlotStep& step, std::size_t
   return depth > -1e-3 * touching ? Role::free : Role::watch;
 }
 
-/// Whether any sample touches, lets go, breaks away or sticks again in the solution, or slides back at its end: the
-/// mean of a step in which sliding stops still slides.
+/// Whether any sample touches, lets go, breaks away or sticks again in the solution, or slides back at its end (the
+/// mean of a step in which sliding stops still slides), or has its lag turned over.
 bool World::changes_mode(const Scheme& scheme) const {
   for (const PatchStep& p : island_.patches) {
     Vector3d dv, dw;
@@ -211,6 +219,7 @@ bool World::changes_mode(const Scheme& scheme) const {
       if (next != mode) return true;
       const Vector3d v_end = s.element.v_p - (dv + dw.cross(s.arm)) / scheme.theta;
       if (slides && s.tangent.dot(v_end) < 0) return true;
+      if (slides && turns_over(s, scheme)) return true;
     }
   }
   return false;
