@@ -104,6 +104,7 @@ void World::resize_for_slots() {
   active_.reserve(patches);
   island_.patches.reserve(patches);
   island_.sliders.reserve(slots);
+  slid_off_.reserve(slots);
   events_.reserve(slots * std::size_t(std::min(options_.substeps, 4)));
 }
 
@@ -180,6 +181,7 @@ BodyStep World::predicted(int body, const Scheme& scheme) const {
 
 void World::substep(double h) {
   for (std::size_t i = 0; i < bodies_.size(); ++i) steps_[i] = predicted(int(i), {.h = h});
+  release_slid_off(h);
   release_lost_hands(h);
   detect(h);
   find_islands();
@@ -196,6 +198,12 @@ void World::substep(double h) {
       island_.patches.push_back({.patch = active_[patch].patch});
     step_island(h);
   }
+}
+
+/// What slid off an edge has had the force of that step; it ends with it.
+void World::release_slid_off(double h) {
+  for (const std::size_t slot : slid_off_) let_go(slot, h);
+  slid_off_.clear();
 }
 
 void World::release_lost_hands(double h) {

@@ -43,9 +43,8 @@ void add(const AuditTally& t, Survey& survey) {
   for (double AuditTally::*worst :
        {&AuditTally::momentum, &AuditTally::cone, &AuditTally::element, &AuditTally::energy})
     all.*worst = std::max(all.*worst, t.*worst);
-  for (double EnergyTerms::*term : {&EnergyTerms::numerical, &EnergyTerms::turning, &EnergyTerms::touching,
-                                    &EnergyTerms::appearing, &EnergyTerms::blocked})
-    all.terms.*term += t.terms.*term;
+  all.terms += t.terms;
+  all.excess += t.excess;
   all.throughput += t.throughput;
   survey.gained += t.gain > 0.01 * std::max(t.throughput, 1e-3);
   if (t.unconverged == 0 && t.audited > 0) survey.gain = std::max(survey.gain, t.gain / std::max(t.throughput, 1e-3));
@@ -68,8 +67,8 @@ void print(const Survey& s) {
             << " unknown\nlargest share of what is allowed: momentum " << t.momentum << ", cone " << t.cone
             << ", element " << t.element << ", energy " << t.energy << "\nof " << t.throughput << " J: numerical "
             << t.terms.numerical << ", turning " << t.terms.turning << ", touching " << t.terms.touching
-            << ", appearing " << t.terms.appearing << ", blocked " << t.terms.blocked << "; largest gain of a grasp "
-            << s.gain << "\n";
+            << ", appearing " << t.terms.appearing << ", curving " << t.terms.curving << ", in steps that gained "
+            << t.excess << "; largest gain of a grasp " << s.gain << "\n";
 }
 
 TEST(RandomGrasps, KeepEveryInvariantInEverySubStep) {
