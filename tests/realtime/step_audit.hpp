@@ -13,7 +13,6 @@
 //                 never have more than hands gave and those terms added
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
@@ -210,7 +209,9 @@ class StepAudit {
     const Vector3d tangent = f - f.dot(n) * n;
 
     const Vector3d moved_O = now.C_O[slot] - anchor.C_O, moved = R * moved_O;
-    check_forward(tangent, {moved, R_euler * moved_O}, *scene_.bodies[std::size_t(patch.body)].field);
+    const double voxel = scene_.bodies[std::size_t(patch.body)].field->grid().spacing;
+    tally_.backward += falls_back(tangent, moved, voxel) &&
+                       (order_ == 1 || falls_back(f - f.dot(n_euler) * n_euler, R_euler * moved_O, voxel));
     rounding_energy_ += rounding * (true_end(now, patch, slot).norm() + h_ * (v_p.norm() + target.velocity(p).norm()));
     if (order_ == 2) return;
 
@@ -245,12 +246,10 @@ class StepAudit {
     terms_.turning += turning;
   }
 
-  /// Friction moves an anchor forward, but for the error of its projection onto the voxels' surface. In a fall back to
-  /// the first order the body's pose is another.
-  void check_forward(const Vector3d& tangent, const std::array<Vector3d, 2>& moved, const VoxelField& field) {
+  /// Friction moves an anchor forward, but for the error of its projection onto the voxels' surface.
+  [[nodiscard]] static bool falls_back(const Vector3d& tangent, const Vector3d& moved, double voxel) {
     constexpr double projection_error = 0.1;  // voxels
-    const double least = -projection_error * field.grid().spacing * tangent.norm();
-    tally_.backward += tangent.dot(moved[0]) < least && (order_ == 1 || tangent.dot(moved[1]) < least);
+    return tangent.dot(moved) < -projection_error * voxel * tangent.norm();
   }
 
   /// The book has it as work of a hand, which for the most part it is: of one that was not there a step ago. But what
