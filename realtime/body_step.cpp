@@ -1,5 +1,7 @@
 #include "realtime/body_step.hpp"
 
+#include <cmath>
+
 #include <Eigen/Geometry>
 
 namespace handhold::realtime {
@@ -10,6 +12,25 @@ constexpr double no_turning = 1e30;
 
 /// A body at rest turns by rounding; what forces turn by then is not worth the products [rad].
 constexpr double no_turn = 1e-12;
+
+/// Turns a body that flies freely, with spin L, about ω × L until it has the energy T again: a turn at a constant rate
+/// takes a spin about no principal axis off the ellipsoid of constant energy, and it would gain some in every step. The
+/// turn is of second order in that of the step, `angle`.
+void keep_energy(RigidBody& body, const Eigen::Vector3d& L, double T, double angle) {
+  constexpr int most = 4;
+  constexpr double rounding = 1e-15, slight = 1e-6;  // sine between ω and L
+  for (int i = 0; i < most; ++i) {
+    const Eigen::Matrix3d R = body.X_WO.R.toRotationMatrix();
+    const Eigen::Vector3d w = R * (body.inverse_inertia_O * (R.transpose() * L));
+    const double excess = 0.5 * L.dot(w) - T;
+    const Eigen::Vector3d axis = w.cross(L);  // dT = (ω × L)·turn
+    const double squared = axis.squaredNorm();
+    if (std::abs(excess) <= rounding * T || squared <= slight * slight * w.squaredNorm() * L.squaredNorm()) return;
+    const Eigen::Vector3d turn = -excess / squared * axis;
+    if (turn.squaredNorm() > angle * angle) return;  // no longer small
+    body.X_WO.R = (rotation_by(turn) * body.X_WO.R).normalized();
+  }
+}
 
 }  // namespace
 
@@ -67,7 +88,11 @@ void move(RigidBody& body, const BodyStep& step, const Scheme& scheme) {
   body.v = scheme.theta == 1 ? Eigen::Vector3d(u.head<3>()) : Eigen::Vector3d(2 * u.head<3>() - step.u0.head<3>());
   if (body.turns()) {
     const Eigen::Vector3d turn = scheme.h * u.tail<3>();
+    const Eigen::Vector3d L = momentum.tail<3>(), L0 = step.momentum.tail<3>();
+    const double T0 = 0.5 * L0.dot(body.w);
     if (!turn.isZero(0)) body.X_WO.R = (rotation_by(turn) * body.X_WO.R).normalized();
+    // Where contacts act, they rely on the turn that they were solved with.
+    if ((L - L0).norm() <= 1e-13 * L.norm()) keep_energy(body, L, T0, turn.norm());
     const Eigen::Matrix3d R = body.X_WO.R.toRotationMatrix();
     body.w = R * (body.inverse_inertia_O * (R.transpose() * momentum.tail<3>()));
   }

@@ -57,6 +57,12 @@ void World::book_body(int body, const Scheme& scheme) {
   hand_work_ -= scheme.h * rigid.mass * scene_.gravity.dot(u.head<3>());
 }
 
+/// What is inside as it touches was pushed in where nobody saw it, by a hand that is back from a gap, say: whoever did
+/// that loaded the spring. `start` is p − C as the step begins.
+void World::book_appearance(const Slider& s, const Eigen::Vector3d& start) {
+  if (start.dot(s.element.n) < 0) hand_work_ += 0.5 * s.element.stiffness * start.squaredNorm();
+}
+
 void World::book_sticking(const PatchStep& p, const Scheme& scheme) {
   dissipated_ += scheme.h * p.stiffness.c * p.stuck.squared_v;
   if (p.source >= 0) return;

@@ -247,30 +247,37 @@ void World::finish(const Scheme& scheme) {
 void World::finish_slider(const PatchStep& p, const Slider& s, const Scheme& scheme) {
   if (!(s.trial.N > 0)) return let_go(s.slot, scheme.h);
   const BodyStep& target = steps_[std::size_t(p.target)];
-  const Matrix3d R = target.turn * target.R;
-  contacts_.f_O.set(s.slot, R.transpose() * s.f);
+  contacts_.f_O.set(s.slot, (target.turn * target.R).transpose() * s.f);
   const bool slides = s.sliding && s.trial.t_norm > p.friction.mu_dynamic * s.trial.N;
   Vector3d dv, dw;
   p.relative(steps_, dv, dw);
   const Vector3d v = s.element.v_p - dv - dw.cross(s.arm);
+  const Vector3d reach = s.trial.lag - s.trial.depth * s.element.n;  // p − C at θ h
   const double closing = -v.dot(s.element.n);
   Vector3d stretch = s.trial.v_t;  // rate of the lag
-  Vector3d step = Vector3d::Zero();
   if (slides) {
     const Vector3d before = s.trial.lag - scheme.reach() * s.trial.v_t;
     stretch = (lag_after_sliding(s.element, s.tangent, before) - before) / scheme.reach();
-    Anchor anchor{contacts_.C_O[s.slot], contacts_.n_O[s.slot]};
-    slide(*source(p.target).field, R.transpose() * (scheme.h * (s.trial.v_t - stretch)), anchor);
-    step = R * (anchor.C_O - contacts_.C_O[s.slot]);  // as far as the surface let it
-    contacts_.C_O.set(s.slot, anchor.C_O);
-    contacts_.n_O.set(s.slot, anchor.n_O);
+    slip(p, s, reach + (scheme.h - scheme.reach()) * v, scheme.h * (s.trial.v_t - stretch));
   }
-  dissipated_ += s.tangent.dot(step) + scheme.h * s.element.damping * (closing * closing + stretch.squaredNorm());
+  dissipated_ += scheme.h * s.element.damping * (closing * closing + stretch.squaredNorm());
   if (p.source < 0) {
-    const Vector6 u = target.velocity();
+    const Vector6 u = steps_[std::size_t(p.target)].velocity();
     hand_work_ += scheme.h * s.f.dot(v + u.head<3>() + u.tail<3>().cross(s.arm));
+    if (s.entering) book_appearance(s, reach - scheme.reach() * v);
   }
   set_mode(s.slot, slides ? Mode::slip : Mode::stick, scheme.h);
+}
+
+/// The work of friction is that on what the slider slips, wherever the surface lets its anchor go.
+void World::slip(const PatchStep& p, const Slider& s, const Vector3d& reach, const Vector3d& step) {
+  const BodyStep& target = steps_[std::size_t(p.target)];
+  const Matrix3d R_OW = (target.turn * target.R).transpose();
+  Anchor anchor{contacts_.C_O[s.slot], contacts_.n_O[s.slot]};
+  if (!slide(*source(p.target).field, anchor.C_O + R_OW * reach, R_OW * step, anchor)) slid_off_.push_back(s.slot);
+  contacts_.C_O.set(s.slot, anchor.C_O);
+  contacts_.n_O.set(s.slot, anchor.n_O);
+  dissipated_ += s.tangent.dot(step);
 }
 
 }  // namespace handhold::realtime

@@ -10,7 +10,8 @@ using Eigen::Vector3d;
 
 constexpr double smallest_turn_cosine = 0.5;  // 60 degrees a voxel
 constexpr double most_moves = 64;
-constexpr double no_motion = 1e-12;  // a shorter way has no direction [m]
+constexpr double projection_error = 0.1;  // of `follow` [voxels]
+constexpr double no_motion = 1e-12;       // a shorter way has no direction [m]
 
 /// The same at the rim of the grid, where not all neighbours exist: six more queries.
 Vector3d central_differences(const VoxelField& field, const Vector3d& p) {
@@ -59,6 +60,34 @@ Anchor anchor_at(const VoxelField& field, const Vector3d& p_O, const Vector3d& n
       (smooth.C_O - p_O).norm() < 0.5 * field.grid().spacing)
     return smooth;
   return {p_O, n_O};
+}
+
+/// One stride of a slide, to the surface below its end. False (and `anchor` untouched) where the surface does not go
+/// on: at the end of the band, onto another sheet, or where it turns by more than voxels can tell.
+bool go_on(const VoxelField& field, const Vector3d& stride, Anchor& anchor) {
+  Anchor moved;
+  if (!follow(field, anchor.C_O + stride, moved)) return false;
+  if (moved.n_O.dot(anchor.n_O) < smallest_turn_cosine) return false;
+  const double fell = (moved.C_O - anchor.C_O).norm();
+  if (fell > 2 * stride.norm() + projection_error * field.grid().spacing) return false;
+  anchor = moved;
+  return true;
+}
+
+/// How far behind an anchor, along its way, a sample is.
+double lag_along(const Vector3d& way, const Vector3d& sample_O, const Anchor& anchor) {
+  const Vector3d along = way - way.dot(anchor.n_O) * anchor.n_O;
+  return (sample_O - anchor.C_O).dot(along) / along.norm();
+}
+
+/// Moves an anchor to where the lag within a stride falls to `least`, halving it: in a hollow edge, whose fillet is as
+/// narrow as the stride.
+void halve_to(const VoxelField& field, const Vector3d& sample_O, Vector3d stride, double least, Anchor& anchor) {
+  for (int i = 0; i < 6; ++i) {
+    stride *= 0.5;
+    Anchor moved = anchor;
+    if (go_on(field, stride, moved) && lag_along(stride, sample_O, moved) >= least) anchor = moved;
+  }
 }
 
 }  // namespace
@@ -128,24 +157,40 @@ bool find_touch(const VoxelField& field, const Vector3d& from_O, const Vector3d&
   return true;
 }
 
-void slide(const VoxelField& field, const Vector3d& step_O, Anchor& anchor) {
-  // Voxel by voxel, so that it stays on its sheet and turns with it.
-  const double length = step_O.norm();
-  if (!std::isfinite(length)) return;
-  const int moves = int(std::clamp(std::ceil(length / field.grid().spacing), 1.0, most_moves));
+bool slide(const VoxelField& field, const Vector3d& sample_O, const Vector3d& step_O, Anchor& anchor) {
+  const double length = step_O.norm(), voxel = field.grid().spacing;
+  if (!(length > 0) || !std::isfinite(length)) return true;
+  const int moves = int(std::clamp(std::ceil(length / voxel), 1.0, most_moves));
   const double stride = length / moves;
-  Vector3d direction = length > 0 ? Vector3d(step_O / length) : step_O;
+  const Anchor straight{anchor.C_O + step_O, anchor.n_O};
+  const auto leave = [&] {
+    anchor = straight;
+    return false;
+  };
+  const auto is_out = [&] { return field.distance(sample_O).distance > voxel; };
+  Vector3d direction = step_O / length;
+  const Vector3d reach = sample_O - anchor.C_O;
+  const bool below = reach.dot(anchor.n_O) < 0;
+  const double least = std::min(0.0, reach.dot(direction) - length);  // on a plane it never gets less than that
   for (int i = 0; i < moves; ++i) {
-    Anchor moved;
-    if (!follow(field, anchor.C_O + stride * direction, moved)) return;
-    if (moved.n_O.dot(anchor.n_O) < smallest_turn_cosine) return;
-    const double fell = (moved.C_O - anchor.C_O).norm();         // a tenth of a voxel is the projection's own error
-    if (fell > 2 * stride + 0.1 * field.grid().spacing) return;  // onto another sheet
+    const Vector3d way = stride * direction;
+    Anchor moved = anchor;
+    if (!go_on(field, way, moved)) {
+      if (is_out()) return leave();
+      anchor.C_O += (moves - i) * way;
+      return true;
+    }
+    if (below && (sample_O - moved.C_O).dot(moved.n_O) >= 0) return leave();
+    if (i + 1 < moves && lag_along(way, sample_O, moved) < least) {
+      if (is_out()) return leave();
+      halve_to(field, sample_O, way, least, anchor);
+      return true;
+    }
     anchor = moved;
     const Vector3d ahead = direction - direction.dot(anchor.n_O) * anchor.n_O;
-    if (ahead.squaredNorm() < 1e-12) return;
-    direction = ahead.normalized();
+    direction = ahead.normalized();  // not zero: a stride turns by 60 degrees at most
   }
+  return true;
 }
 
 }  // namespace handhold::realtime

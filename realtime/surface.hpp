@@ -38,9 +38,16 @@ enum class TouchNormal {
 [[nodiscard]] bool find_touch(const VoxelField& field, const Eigen::Vector3d& from_O, const Eigen::Vector3d& to_O,
                               TouchNormal normal, Anchor& anchor);
 
-/// Slides an anchor by the tangential `step_O` along the surface, voxel by voxel. It stops where the next voxel would
-/// leave the band, fall onto another sheet or turn the normal by more than 60 degrees: an occluding part blocks it
-/// (Höll et al. 2018, Fig. 3). A step that is not finite moves nothing.
-void slide(const VoxelField& field, const Eigen::Vector3d& step_O, Anchor& anchor);
+/// Slides the anchor of a sample that is at `sample_O` by the tangential `step_O` along the surface, voxel by voxel.
+/// What a slider slips it has slipped, so that its spring never holds more than the cone lets it: where the surface
+/// does not take the anchor on (it turns by more than 60 degrees a voxel, or ends in another sheet: an occluding part,
+/// Höll et al. 2018, Fig. 3), it goes straight on with the normal that it has, off the surface. In a hollow edge it is
+/// caught where its sample is no longer ahead.
+///
+/// False if the sample has slid off: the surface fell away from above it, or it is outside, by more than a voxel, where
+/// the surface does not go on. The anchor has then gone straight, as if its face went on; the sample is to be let go. A
+/// step that is not finite moves nothing.
+[[nodiscard]] bool slide(const VoxelField& field, const Eigen::Vector3d& sample_O, const Eigen::Vector3d& step_O,
+                         Anchor& anchor);
 
 }  // namespace handhold::realtime

@@ -108,6 +108,7 @@ void World::resize_for_slots() {
   island_.patches.reserve(patches);
   island_.slots.reserve(patches);
   island_.sliders.reserve(slots);
+  slid_off_.reserve(slots);
   events_.reserve(slots * std::size_t(std::min(options_.substeps, 4)));
 }
 
@@ -191,6 +192,7 @@ void World::predict_body(int body, const Scheme& scheme) {
 void World::substep(double h) {
   for (std::size_t i = 0; i < bodies_.size(); ++i) predict_body(int(i), {.h = h});
   lap(Phase::bodies);
+  release_slid_off(h);
   release_lost_hands(h);
   detect(h);
   lap(Phase::detection);
@@ -220,6 +222,12 @@ void World::add_to_island(int index) {
     steps.push_back({.target = slot.body, .source = from, .first_patch = int(island_.slots.size())});
   ++steps.back().patch_count;
   island_.slots.emplace_back(index);
+}
+
+/// What slid off an edge has had the force of that step; it ends with it.
+void World::release_slid_off(double h) {
+  for (const std::size_t slot : slid_off_) let_go(slot, h);
+  slid_off_.clear();
 }
 
 void World::release_lost_hands(double h) {

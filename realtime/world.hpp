@@ -92,6 +92,7 @@ class World {
     if (clock_) clock_->lap(phase);
   }
   void release_lost_hands(double h);
+  void release_slid_off(double h);
   void predict_body(int body, const Scheme& scheme);
   [[nodiscard]] const Pose& start_pose(const PatchSlot& patch) const;
   [[nodiscard]] const Body& source(int body) const { return scene_.bodies[std::size_t(body)]; }
@@ -131,6 +132,7 @@ class World {
   [[nodiscard]] bool changes_mode(const Scheme& scheme) const;
   void finish(const Scheme& scheme);
   void finish_slider(const PatchStep& p, const Slider& s, const Scheme& scheme);
+  void slip(const PatchStep& p, const Slider& s, const Eigen::Vector3d& reach, const Eigen::Vector3d& step);
 
   // bookkeeping.cpp
   void set_mode(std::size_t slot, Mode mode, double h);
@@ -138,6 +140,7 @@ class World {
   [[nodiscard]] Eigen::Vector3d point_at_start(const PatchSlot& patch, std::size_t slot) const;
   [[nodiscard]] double stored(std::size_t slot, const Eigen::Vector3d& p_O) const;
   void book_body(int body, const Scheme& scheme);
+  void book_appearance(const Slider& s, const Eigen::Vector3d& start);
   void book_sticking(const PatchStep& p, const Scheme& scheme);
 
   const Scene scene_;
@@ -148,6 +151,7 @@ class World {
   std::vector<StickMoments> moments_;  // by patch
   std::vector<Role> role_;             // by slot
   std::vector<int> patch_of_slot_;
+  std::vector<std::size_t> slid_off_;  // slots to be let go as the next step begins
   std::vector<std::uint8_t> watched_;  // by patch of a pair of bodies: apart samples may touch in this step
   std::vector<std::uint8_t> near_;     // by slot of those: which
   std::vector<std::vector<Eigen::Vector3d>> outward_;  // of a body at each of its samples, in O

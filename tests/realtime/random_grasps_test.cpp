@@ -29,7 +29,7 @@ long from_environment(const char* name, long otherwise) {
 struct Survey {
   AuditTally all{};
   long grasps{}, touched{};
-  long gained{};  // grasps with a body that got 1 % more than what passed through the hands
+  long gained{};  // grasps, all solved, with a body that got 1 % more than what passed through the hands
   double gain{};  // of a grasp, relative to what passed through its hands, at least 1 mJ
 };
 
@@ -43,11 +43,10 @@ void add(const AuditTally& t, Survey& survey) {
   for (double AuditTally::*worst :
        {&AuditTally::momentum, &AuditTally::cone, &AuditTally::element, &AuditTally::energy})
     all.*worst = std::max(all.*worst, t.*worst);
-  for (double EnergyTerms::*term : {&EnergyTerms::numerical, &EnergyTerms::turning, &EnergyTerms::touching,
-                                    &EnergyTerms::appearing, &EnergyTerms::blocked})
-    all.terms.*term += t.terms.*term;
+  all.terms += t.terms;
+  all.excess += t.excess;
   all.throughput += t.throughput;
-  survey.gained += t.gain > 0.01 * std::max(t.throughput, 1e-3);
+  survey.gained += t.unconverged == 0 && t.gain > 0.01 * std::max(t.throughput, 1e-3);
   if (t.unconverged == 0 && t.audited > 0) survey.gain = std::max(survey.gain, t.gain / std::max(t.throughput, 1e-3));
 }
 
@@ -68,8 +67,8 @@ void print(const Survey& s) {
             << " unknown\nlargest share of what is allowed: momentum " << t.momentum << ", cone " << t.cone
             << ", element " << t.element << ", energy " << t.energy << "\nof " << t.throughput << " J: numerical "
             << t.terms.numerical << ", turning " << t.terms.turning << ", touching " << t.terms.touching
-            << ", appearing " << t.terms.appearing << ", blocked " << t.terms.blocked << "; largest gain of a grasp "
-            << s.gain << "\n";
+            << ", appearing " << t.terms.appearing << ", curving " << t.terms.curving << ", in steps that gained "
+            << t.excess << "; largest gain of a grasp " << s.gain << "\n";
 }
 
 TEST(RandomGrasps, KeepEveryInvariantInEverySubStep) {
@@ -98,12 +97,11 @@ TEST(RandomGrasps, KeepEveryInvariantInEverySubStep) {
   print(survey);
   EXPECT_GT(survey.touched, 0.8 * double(survey.grasps));
   EXPECT_EQ(survey.all.unknown, 0);
-  // Kinetic and potential energy beyond the start and what hands gave: by the identity of EnergyTerms no more than its
-  // terms of second order, which are large only for what spins by a radian in a step. Measured: 1 of 3000 grasps.
-  EXPECT_LE(double(survey.gained), 1 + 3e-3 * double(survey.grasps));
+  // Kinetic and potential energy beyond the start and what hands gave, where every sub-step was solved: the audit
+  // bounds it by the identity of EnergyTerms; that this is next to nothing is measured: 3e-13 at most in 6000 grasps.
+  EXPECT_EQ(survey.gained, 0);
   EXPECT_EQ(survey.all.unconverged, 0);
-  // Of a hand that is through a thin wall, with a lag of centimetres.
-  EXPECT_LE(double(survey.all.backward), 5 + 3e-4 * double(survey.all.slides));
+  EXPECT_EQ(survey.all.backward, 0);
 }
 
 }  // namespace

@@ -89,26 +89,54 @@ TEST(Slide, FollowsACurvedSurface) {
   ASSERT_TRUE(foot(*ball, {0, 0, 0.0305}, anchor));
   for (int i = 0; i < 50; ++i) {
     const Vector3d along = Vector3d::UnitY().cross(anchor.n_O);
-    slide(*ball, 0.0003 * along, anchor);
+    EXPECT_TRUE(slide(*ball, 0.8 * anchor.C_O, 0.0003 * along, anchor));
   }
   EXPECT_NEAR(std::atan2(anchor.C_O.x(), anchor.C_O.z()), 0.5, 0.005);
   EXPECT_NEAR(anchor.C_O.norm(), 0.03, 5e-5);                   // facets and voxels' second order h²/R = 3e-5
   EXPECT_LT(anchor.n_O.cross(anchor.C_O).norm() / 0.03, 0.02);  // 1 degree
 }
 
-/// Over an edge, 2 mm before its end and 20 mm long: down the side face, never off the surface nor through the box.
+/// Over an edge, 2 mm before its end, with a sample deep inside: down the side face, never off the surface nor through
+/// the box.
 TEST(Slide, TurnsOverAnEdge) {
   Anchor anchor;
   ASSERT_TRUE(foot(*box, {0.028, 0, 0.0105}, anchor));
-  slide(*box, {0.02, 0, 0}, anchor);
+  for (int i = 0; i < 10; ++i)
+    EXPECT_TRUE(slide(*box, {0.02, 0, -0.009}, 0.001 * Vector3d::UnitY().cross(anchor.n_O), anchor));
   EXPECT_LT(std::abs(box->distance(anchor.C_O).distance), 1e-4);  // a tenth of a voxel
   EXPECT_LT(anchor.C_O.z(), 0.01);
   EXPECT_GT(anchor.n_O.x(), 0.9);
 }
 
+/// The sample has passed the edge: straight on, to the last bit but rounding, and off.
+TEST(Slide, LeavesASampleThatSlidOffAnEdge) {
+  Anchor anchor{{0.028, 0, 0.01}, Vector3d::UnitZ()};
+  EXPECT_FALSE(slide(*box, {0.05, 0, 0.005}, {0.02, 0, 0}, anchor));
+  EXPECT_LT((anchor.C_O - Vector3d(0.048, 0, 0.01)).norm(), 1e-15);
+  EXPECT_EQ(anchor.n_O, Vector3d::UnitZ());
+}
+
+/// Over the floor of a mug into its wall (inner radius 34 mm), 17 mm in one step, with a sample inside the wall; and
+/// with one beyond it.
+TEST(Slide, IsCaughtInAHollowEdge) {
+  const auto mug =
+      voxelize(make_mug({.radius = 0.04, .height = 0.08, .wall = 0.006, .segments = 48}), {.voxel_size = 0.001});
+  Anchor floor;
+  ASSERT_TRUE(find_touch(*mug, {0, 0.02, 0}, {0, 0.02, -0.039}, TouchNormal::smooth, floor));
+  ASSERT_GT(floor.n_O.z(), 0.999);
+  Anchor anchor = floor;
+  const Vector3d inside = floor.C_O + Vector3d(0, 0.017, -0.001);
+  EXPECT_TRUE(slide(*mug, inside, {0, 0.017, 0}, anchor));
+  EXPECT_LT(std::abs(mug->distance(anchor.C_O).distance), 1e-4);  // a tenth of a voxel
+  EXPECT_NEAR(anchor.C_O.y(), 0.034, 0.001);                      // a voxel
+  anchor = floor;
+  EXPECT_FALSE(slide(*mug, floor.C_O + Vector3d(0, 0.024, -0.001), {0, 0.023, 0}, anchor));  // 4 mm outside the mug
+  EXPECT_LT((anchor.C_O - floor.C_O - Vector3d(0, 0.023, 0)).norm(), 1e-15);
+}
+
 TEST(Slide, IgnoresAStepThatIsNotFinite) {
   Anchor anchor{{0, 0, 0.01}, {0, 0, 1}};
-  slide(*box, {std::nan(""), 0, 0}, anchor);
+  EXPECT_TRUE(slide(*box, {0, 0, 0}, {std::nan(""), 0, 0}, anchor));
   EXPECT_EQ(anchor.C_O, Vector3d(0, 0, 0.01));
 }
 

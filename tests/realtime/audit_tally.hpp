@@ -1,0 +1,95 @@
+#pragma once
+
+// What an audit of sub-steps counts, and how it notes a fault.
+
+#include <algorithm>
+#include <ostream>
+#include <sstream>
+#include <string>
+
+#include "cases/recording.hpp"
+
+namespace handhold::realtime::testing {
+
+/// How kinetic + potential + elastic + dissipated − hand_work changes in one implicit Euler step: exactly by these.
+///
+/// With u the velocities held during the step, v and ė those of a sample against its body and of its lag, r = p − C ('
+/// : as linearised), J the inertia at the pose about which the step is linearised (BodyStep):
+///
+///   numerical   −½ m |Δu|² − ½ ΔL J⁻¹ ΔL − Σ ½ k (|h v_n|² + |h ė|²): never positive
+///   turning     ½ L1 (I1⁻¹ − J⁻¹) L1 − ½ L0 (I0⁻¹ − J⁻¹) L0 + Σ ½ k ((|r1|² − |r1'|²) − (|r0|² − |r0'|²)):
+///               forces and inertia are those of one orientation, the book knows the true ones. Of second order in the
+///               angle h w of a step, either sign; none of it in a scene where nothing turns
+///   touching    Σ ½ k |r0'|²: a sample that comes in has no energy before, though its spring is measured from where
+///               it will have touched
+///   appearing   the same of samples of a body that are inside as the step begins; of a hand's it is booked as its work
+///   curving     Σ of sliding anchors that follow a curved surface instead of the straight way: of second order in the
+///               step where it is smooth. Positive where the surface comes up to meet the sample
+struct EnergyTerms {
+  double numerical{}, turning{}, touching{}, appearing{}, curving{};  // [J]
+
+  EnergyTerms& operator+=(const EnergyTerms& other) {
+    numerical += other.numerical;
+    turning += other.turning;
+    touching += other.touching;
+    appearing += other.appearing;
+    curving += other.curving;
+    return *this;
+  }
+  [[nodiscard]] double sum() const { return numerical + turning + touching + appearing + curving; }
+};
+
+/// What an audit saw; ratios are to what is allowed, so 1 is a fault.
+struct AuditTally {
+  long steps{}, forces{}, slides{};
+  long unknown{};   ///< slid as they touched, from an anchor that nobody shows: neither cone nor energy is checked
+  long backward{};  ///< slides that ended behind where they began
+  long unconverged{}, audited{};  ///< steps; audited: with their energy
+  double momentum{}, cone{}, element{}, energy{};
+  double gain{};        ///< most of kinetic + potential − start − what hands gave, ever [J]
+  double excess{};      ///< what the terms added in steps in which they added: no gain is larger [J]
+  double growth{};      ///< most of book − start, ever [J]
+  double throughput{};  ///< Σ |energy that passed| = kinetic energy at the start + Σ |h f·v_p| + springs of hands that
+                        ///< appear [J]
+  EnergyTerms terms{};  ///< sums
+  std::string fault{};  ///< the first; empty: none
+};
+
+/// Notes in a tally how near to its bounds all is, and the first fault.
+class Faults {
+ public:
+  explicit Faults(AuditTally& tally) : tally_(tally) {}
+
+  void at(double t) { t_ = t; }
+  template <class... Parts>
+  void require(bool holds, const Parts&... parts) {
+    if (holds || !tally_.fault.empty()) return;
+    std::ostringstream text;
+    text.precision(9);
+    text << "step " << tally_.steps << ", t = " << t_ << ": ";
+    (text << ... << parts);
+    tally_.fault = text.str();
+  }
+  /// Notes how near to its bound a quantity is.
+  template <class... Parts>
+  void bound(double value, double allowed, double& worst, const Parts&... what) {
+    const double ratio = allowed > 0 ? value / allowed : (value > 0 ? 1e300 : 0);
+    worst = std::max(worst, ratio);
+    require(ratio <= 1, what..., ": ", value, " of ", allowed, " allowed");
+  }
+
+ private:
+  AuditTally& tally_;
+  double t_{};
+};
+
+/// A sample in a fault's text.
+struct Name {
+  SampleId id{};
+  friend std::ostream& operator<<(std::ostream& out, const Name& name) {
+    return out << "sample " << int(name.id.hand) << "/" << int(name.id.phalanx) << "/" << int(name.id.body) << "/"
+               << int(name.id.sample);
+  }
+};
+
+}  // namespace handhold::realtime::testing
