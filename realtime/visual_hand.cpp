@@ -204,7 +204,7 @@ const std::array<Pose, phalanx_count>& VisualHand::advance(double dt, const Visu
 
 void keep_out(const HandModel& model, const VoxelField& field, const Pose& X_WO, double bound,
               std::array<Pose, phalanx_count>& poses) {
-  constexpr int tries = 4;  // one is enough on a plane
+  constexpr int tries = 32;  // one is enough on a plane; walls at 60 degrees halve the excess each time
   const Pose X_OW = X_WO.inverse();
   for (int i = 0; i < phalanx_count; ++i) {
     Pose& X_WP = poses[std::size_t(i)];

@@ -100,9 +100,10 @@ class VisualHand {
   std::size_t last_bodies_{};
 };
 
-/// Moves every phalanx of `poses` that is deeper than `bound` [m] in the object out along the surface's normal, four
+/// Moves every phalanx of `poses` that is deeper than `bound` [m] in the object out along the surface's normal, 32
 /// times at most: the drawn hand's depth is then bounded by `bound` wherever the object is thicker than the hand is
-/// deep. Costs one exact distance for each phalanx near the object.
+/// deep, and has no groove that is too narrow for the phalanx. Costs one exact distance for each phalanx near the
+/// object.
 void keep_out(const HandModel& model, const VoxelField& field, const Pose& X_WO, double bound,
               std::array<Pose, phalanx_count>& poses);
 

@@ -8,8 +8,11 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "cases/error.hpp"
+#include "cases/hand/trace_csv.hpp"
 #include "cases/recording_csv.hpp"
 #include "cases/scene/frame_times.hpp"
+#include "compare/drawn_hand.hpp"
 #include "compare/engines.hpp"
 #include "compare/grasp.hpp"
 #include "reports/commands.hpp"
@@ -18,6 +21,7 @@
 #include "reports/option_checks.hpp"
 #include "reports/progress.hpp"
 #include "reports/scene_source.hpp"
+#include "reports/text.hpp"
 #include "reports/write_report.hpp"
 
 namespace handhold::reports {
@@ -28,6 +32,7 @@ struct RunCommand {
   compare::EngineOptions engine{};
   bool frames_of_trace{false};
   std::string engine_name{"both"};
+  std::string visual_hand{};  ///< "whole", "finger"; empty: none
   std::string out{};
 };
 
@@ -60,6 +65,19 @@ std::vector<std::string> engines(const std::string& name) {
   return name == "both" ? std::vector<std::string>{"reference", "realtime"} : std::vector<std::string>{name};
 }
 
+/// The drawn hand beside the real-time path: prints what it did, and writes it as a trace.
+void draw(const NamedScene& named, const Recording& recording, const RunCommand& command,
+          const std::filesystem::path& out) {
+  const compare::DrawnMode mode =
+      command.visual_hand == "whole" ? compare::DrawnMode::whole : compare::DrawnMode::finger;
+  const compare::DrawnHands drawn = compare::draw_hands(named.scene, recording, mode);
+  fmt::print("{}", drawn_hands_text(drawn));
+  if (out.empty()) return;
+  const std::filesystem::path file = out / recording.engine / "drawn_hand.csv";
+  write_trace_csv(drawn.trace, file.string());
+  fmt::print("{}", summary_line("trace", file.string()));
+}
+
 /// Runs the engines on one scene, prints what they say, and writes their recordings. False if a run did not get to its
 /// end.
 bool run_scene(const NamedScene& named, const RunCommand& command, const std::filesystem::path& out) {
@@ -75,6 +93,7 @@ bool run_scene(const NamedScene& named, const RunCommand& command, const std::fi
       write_recording(timed.recording, out / engine);
       fmt::print("  recording         {}\n", (out / engine).string());
     }
+    if (engine == "realtime" && !command.visual_hand.empty()) draw(named, timed.recording, command, out);
     complete = complete && timed.recording.outcome == Outcome::complete;
     recordings.push_back(std::move(timed.recording));
     if (interrupted()) break;
@@ -90,9 +109,19 @@ std::string folder_name(const std::string& name) {
   return out;
 }
 
+/// Before the first run, not after it.
+void check_visual_hand(const RunCommand& command, const std::vector<NamedScene>& scenes) {
+  if (command.visual_hand.empty()) return;
+  if (command.engine_name != "both" && command.engine_name != "realtime")
+    throw InputError("--visual-hand with --engine " + command.engine_name +
+                     ": is drawn beside the real-time path (use --engine realtime, or both)");
+  for (const NamedScene& named : scenes) compare::check_drawable(named.scene);
+}
+
 void execute(const RunCommand& command, Invocation& invocation) {
   if (!command.out.empty()) make_writable_folder(command.out);  // now, not after the first run
   const std::vector<NamedScene> scenes = load_scenes(command.request);
+  check_visual_hand(command, scenes);
   for (std::size_t i = 0; i < scenes.size() && !interrupted(); ++i) {
     if (i > 0) fmt::print("\n");
     std::filesystem::path out = command.out;
@@ -178,10 +207,17 @@ void add_run(CLI::App& app, Invocation& invocation) {
   command->add_option("--accuracy", options->engine.accuracy, "of the reference's integrator")
       ->check(number_in(1e-13, 1e-3))
       ->capture_default_str();
+  command
+      ->add_option(
+          "--visual-hand", options->visual_hand,
+          "play the hand that a user is shown beside the real-time path: the whole hand, or each finger that touches, "
+          "stands still on the object; with --out also a trace, realtime/drawn_hand.csv")
+      ->check(CLI::IsMember({"whole", "finger"}));
   command->add_option("--out", options->out, "folder for the recordings as CSV, one folder an engine");
   command->footer(
       "Examples:\n  handhold run scene.toml --out recordings\n  handhold run --case C01 --engine realtime\n"
       "  handhold run --trace pinch-57fps.json.lz --mesh mug.obj --material ceramic\n"
+      "  handhold run --trace pinch-57fps.json.lz --mesh mug.obj --engine realtime --visual-hand whole --out drawn\n"
       "Exit code 1: a run did not get to its end (diverged, stalled, interrupted).");
   command->callback([options, &invocation] { execute(*options, invocation); });
 }

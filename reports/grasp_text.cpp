@@ -31,6 +31,35 @@ std::string frames_text(const compare::FrameTimes& f) {
                      readable(f.p90, "s"), readable(f.p99, "s"), readable(f.p999, "s"), readable(f.max, "s"), f.frames);
 }
 
+std::string frozen_text(const compare::DrawnHand& hand, double end) {
+  if (hand.frozen.empty()) return "never: it followed the tracked hand throughout";
+  std::string stretches;
+  double total = 0;
+  for (const Interval& i : hand.frozen) {
+    stretches += fmt::format("{}{} to {} s", stretches.empty() ? "" : ", ", number(i.begin, 4), number(i.end, 4));
+    total += i.end - i.begin;
+  }
+  return fmt::format("{} s of {} s: {}", number(total, 4), number(end, 4), stretches);
+}
+
+std::string deepest_text(const compare::Deepest& deepest) {
+  if (deepest.phalanx < 0) return "never inside";
+  return fmt::format("{} ({} at t = {} s)", readable(deepest.depth, "m"), phalanx_name(deepest.phalanx),
+                     number(deepest.t, 4));
+}
+
+std::string drawn_hand_text(const compare::DrawnHand& hand, double end, double bound) {
+  std::string out = summary_line("frozen", frozen_text(hand, end));
+  out += summary_line("deepest phalanx", "drawn " + deepest_text(hand.drawn));
+  out += summary_line("", "tracked " + deepest_text(hand.tracked));
+  out += summary_line("bound", fmt::format("{}: {}", readable(bound, "m"), hand.bound_kept ? "kept" : "NOT KEPT"));
+  if (hand.release_step <= 0) return out + summary_line("release", "none");
+  out += summary_line("release", fmt::format("at most {} a frame, where the tracked phalanx went {}",
+                                             readable(hand.release_step, "m"), readable(hand.tracked_step, "m")));
+  return out + summary_line("", fmt::format("largest jump {}: the change of that way from one frame to the next",
+                                            readable(hand.release_jump, "m")));
+}
+
 }  // namespace
 
 std::string grasp_text(const compare::GraspSummary& s, const Recording& recording, double seconds) {
@@ -63,6 +92,16 @@ std::string difference_text(const compare::Difference& d) {
   return out + summary_line("more than 1 mm", std::isnan(d.first_divergence)
                                                   ? "never"
                                                   : fmt::format("from t = {} s", number(d.first_divergence, 4)));
+}
+
+std::string drawn_hands_text(const compare::DrawnHands& drawn) {
+  std::string out;
+  const double end = drawn.trace.t.empty() ? 0 : drawn.trace.t.back();
+  for (std::size_t h = 0; h < drawn.hands.size(); ++h) {
+    out += fmt::format("drawn hand, {}\n", to_string(drawn.trace.hands[h].side));
+    out += drawn_hand_text(drawn.hands[h], end, drawn.bound);
+  }
+  return out;
 }
 
 }  // namespace handhold::reports

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "cases/recording.hpp"
+#include "compare/drawn_hand.hpp"
 #include "compare/grasp.hpp"
 
 namespace handhold::reports {
@@ -13,5 +14,9 @@ namespace handhold::reports {
 
 /// How far the two engines' recordings of one scene are apart.
 [[nodiscard]] std::string difference_text(const compare::Difference& difference);
+
+/// What the drawn hands show beside a recording: when they stood still, how deep they were against the tracked ones and
+/// against the bound, and how they went back.
+[[nodiscard]] std::string drawn_hands_text(const compare::DrawnHands& drawn);
 
 }  // namespace handhold::reports

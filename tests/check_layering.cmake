@@ -14,7 +14,7 @@ function(folders_seen_by file out)
   set(seen_by_reports   cases compare reports)
   string(REGEX MATCH "^[a-z]+" folder "${file}")
   set(seen ${seen_by_${folder}})
-  if(file MATCHES "^compare/((baseline_)?engines\\.cpp|stepped\\.hpp)$")  # the adapters
+  if(file MATCHES "^compare/(((baseline_)?engines|drawn_hand)\\.cpp|stepped\\.hpp)$")  # the adapters
     list(APPEND seen realtime reference)
   elseif(file MATCHES "^reports/(handhold|command_[a-z_]+)\\.[ch]pp$")  # the command line
     list(APPEND seen realtime reference)

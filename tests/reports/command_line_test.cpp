@@ -14,6 +14,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "cases/hand/keyframed_hand.hpp"
+#include "cases/hand/trace_csv.hpp"
+
 namespace handhold::reports {
 namespace {
 
@@ -93,7 +96,8 @@ INSTANTIATE_TEST_SUITE_P(
                     "run --case C01/none", "run --case ''", "run bad.toml --case C01", "run --trace empty",
                     "run --mesh empty", "run --trace missing --mesh shape:box", "run --trace empty --mesh shape:box",
                     "run --case C01 --engine bullet", "run --case C01 --duration -1", "run --case C01 --mass 1",
-                    "run --case C01 --stiffness nan", "run --case C01 --out empty",  //
+                    "run --case C01 --stiffness nan", "run --case C01 --out empty", "run --case C01 --visual-hand half",
+                    "run --case C01 --visual-hand whole",  //
                     "voxelize", "voxelize missing.obj", "voxelize empty", "voxelize noise.obj", "voxelize .",
                     "voxelize shape:", "voxelize shape:potato", "voxelize shape:box,x", "voxelize shape:box,x=1m",
                     "voxelize shape:box,x=-1", "voxelize shape:box --scale 0", "voxelize shape:box --voxel-size -1",
@@ -136,6 +140,26 @@ TEST_F(CommandLine, RunSaysWhatHappenedAndWritesRecordings) {
   EXPECT_EQ(result.exit_code, 0) << result.error;
   EXPECT_NE(result.out.find("longest slip"), std::string::npos);
   EXPECT_TRUE(fs::exists(root / "rec/realtime/frames.csv"));
+}
+
+// A palm comes down on a block, 9 mm too far, and goes up again.
+TEST_F(CommandLine, RunDrawsTheVisualHandAndWritesItAsATrace) {
+  const Eigen::Quaterniond palm_down(Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitX()));
+  std::vector<HandKeyframe> way;
+  for (const auto& [t, z] : {std::pair{0.2, 0.10}, {0.6, 0.035}, {1.0, 0.10}})
+    way.push_back(HandKeyframe::of_curl(t, {palm_down, {0, 0.045, z}}, 0, 0));
+  const HandModel model = anatomical_hand();
+  write_trace_csv(sample_trace("palm", Side::right, model, keyframed_hand(model, Side::right, way), 0, 1.5, 90),
+                  (root / "palm.csv").string());
+  const Result result =
+      run("run --trace palm.csv --mesh shape:box,x=0.06,y=0.06,z=0.06 --place 0,0,0 --held-until 9 --engine realtime "
+          "--visual-hand whole --out rec");
+  EXPECT_EQ(result.exit_code, 0) << result.error;
+  EXPECT_NE(result.out.find("drawn hand, right"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("500 µm: kept"), std::string::npos) << result.out;
+  const Result info = run("trace info rec/realtime/drawn_hand.csv");
+  EXPECT_EQ(info.exit_code, 0) << info.error;
+  EXPECT_NE(info.out.find("136"), std::string::npos) << info.out;  // 1.5 s at 90 Hz, both ends
 }
 
 TEST_F(CommandLine, VoxelizeAgreesWithTheVolumeOfABox) {  // 60 mm cube: 216 cm³
