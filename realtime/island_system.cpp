@@ -135,7 +135,7 @@ bool IslandSystem::balance(Island& island, const std::vector<BodyStep>& bodies, 
     const Matrix3d& aa = p.sums.arm_arm;
     Vector3d force = p.sums.force - s * (p.sums.count * dv + dw.cross(p.sums.arm));
     Vector3d torque = p.sums.torque - s * (p.sums.arm.cross(dv) + aa.trace() * dw - aa * dw);
-    size += reach_ * std::max(force.norm(), p.sums.size);
+    size += reach_ * force.norm();
     for (int i = p.first_slider; i < p.first_slider + p.slider_count; ++i) {
       Slider& slider = island.sliders[std::size_t(i)];
       evaluate(slider, dv + dw.cross(slider.arm), p.friction, cones);
@@ -143,10 +143,10 @@ bool IslandSystem::balance(Island& island, const std::vector<BodyStep>& bodies, 
       torque += slider.arm.cross(slider.f);
       size += reach_ * slider.f.norm();
     }
-    // What rounding of positions makes of forces.
+    // What rounding of positions makes of forces, and that of patches which press against each other.
     const double extent = bodies[std::size_t(p.target)].center.norm() + p.offset.norm();
-    const double stiff = reach_ * p.stiffness.k * extent;
-    noise += (p.sums.count + p.slider_count) * stiff * stiff;
+    const double stiff = reach_ * p.stiffness.k * extent, apart = 10 * reach_ * p.sums.size;
+    noise += (p.sums.count + p.slider_count) * stiff * stiff + apart * apart;
     if (const int t = row(p.target); t >= 0) {
       residual_[std::size_t(t)].head<3>() += reach_ * force;
       residual_[std::size_t(t)].tail<3>() += reach_ * torque;
