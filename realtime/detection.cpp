@@ -170,7 +170,8 @@ void World::drop(PatchSlot& p) {
 void World::watch_pair(int a, int b, double h) {
   const RigidBody &A = bodies_[std::size_t(a)], &B = bodies_[std::size_t(b)];
   // As fast as at the end of the last step if it changes as it did then: what rests goes on resting.
-  const Eigen::Vector3d v_A = A.v + changed_[std::size_t(a)], v_B = B.v + changed_[std::size_t(b)];
+  const double longer = std::max(h / last_h_, 1.0);
+  const Eigen::Vector3d v_A = A.v + longer * changed_[std::size_t(a)], v_B = B.v + longer * changed_[std::size_t(b)];
   // A distance changes by no more than the bodies' points there move against each other; the part of a body's turning
   // that moves a point along the line to its nearest point is that of its own surface, within its radius.
   const double coming = h * ((v_A - v_B).norm() + A.w.norm() * A.radius + B.w.norm() * B.radius) + touching;

@@ -11,6 +11,7 @@
 namespace handhold::realtime {
 namespace {
 
+constexpr double most_pieces = 16;
 constexpr std::size_t most_bodies = 255;  // SampleId has one byte, and 255 hands are a body's
 
 void check_size(const Scene& scene) {
@@ -26,6 +27,8 @@ void check_size(const Scene& scene) {
 void validate(const Options& options) {
   if (options.substeps < 1 || options.substeps > 1000)
     throw InputError("substeps " + std::to_string(options.substeps) + ": must be 1 to 1000");
+  if (!(options.longest_turn > 0))
+    throw InputError("longest turn of " + std::to_string(options.longest_turn) + " rad: must be positive");
   if (options.order != 1 && options.order != 2)
     throw InputError("order " + std::to_string(options.order) + ": must be 1 or 2");
   if (!(options.longest_bridge >= 0))
@@ -109,6 +112,7 @@ void World::resize_for_slots() {
   island_.slots.reserve(patches);
   island_.sliders.reserve(slots);
   slid_off_.reserve(slots);
+  taken_.reserve(std::size_t(options_.substeps) * std::size_t(most_pieces));
   events_.reserve(slots * std::size_t(std::min(options_.substeps, 4)));
 }
 
@@ -149,16 +153,29 @@ void World::start_given(const PatchSlot& patch) {
 void World::advance(double dt, const std::vector<HandFrame>& hands) {
   events_.clear();
   observe(dt, hands);
-  const double h = dt / options_.substeps;
-  const double begin = t_;
-  for (int i = 1; i <= options_.substeps; ++i) {
-    std::swap(now_, next_);
-    first_substep_ = i == 1;
-    place_hands(double(i) / options_.substeps);
-    lap(Phase::hands);
-    substep(h);
-    t_ = begin + dt * i / options_.substeps;
+  taken_.clear();
+  const double h = dt / options_.substeps, begin = t_;
+  for (int i = 0; i < options_.substeps; ++i) {
+    const int pieces = pieces_of(h);
+    for (int j = 1; j <= pieces; ++j) {
+      const double at = i + double(j) / pieces;
+      std::swap(now_, next_);
+      first_substep_ = i == 0 && j == 1;
+      taken_.push_back({at / options_.substeps, h / pieces});
+      place_hands(taken_.back().fraction);
+      lap(Phase::hands);
+      substep(taken_.back().h);
+      last_h_ = taken_.back().h;
+      t_ = begin + dt * at / options_.substeps;
+    }
   }
+}
+
+int World::pieces_of(double h) const {
+  double squared = 0;
+  for (const RigidBody& body : bodies_) squared = std::max(squared, body.w.squaredNorm());
+  const double pieces = std::ceil(h * std::sqrt(squared) / options_.longest_turn);
+  return pieces > 1 ? int(std::min(pieces, most_pieces)) : 1;
 }
 
 void World::watch(PhaseClock* clock) {

@@ -24,6 +24,9 @@ struct Options {
   /// (R. Rannacher, Numer. Math. 43, 1984: damping steps after a discontinuity keep the order).
   int order{1};
   double longest_bridge{0.1};  ///< a hand that is back after no longer than this came straight [s], >= 0
+  /// A sub-step in which a body would turn by more is cut into equal pieces, at most 16: contacts are linear in its
+  /// turn, and would give a body energy that spins by a radian in a step [rad], > 0. Infinity: never.
+  double longest_turn{0.25};
   SolverOptions solver{};
 };
 
@@ -41,6 +44,11 @@ void validate(const Options& options);
 /// times a frame on average. Between two frames the hands move along HandPath.
 class World {
  public:
+  /// A step that was taken: to `fraction` of the frame, `h` seconds long.
+  struct Step {
+    double fraction{}, h{};
+  };
+
   /// Throws InputError for a scene without bodies, or with more bodies or hands than a SampleId can name.
   World(const Scene& scene, const Options& options);
 
@@ -67,6 +75,8 @@ class World {
   [[nodiscard]] Eigen::Vector3d force(std::size_t slot) const;
   /// Changes of mode since the last `advance` began; times are the ends of sub-steps.
   [[nodiscard]] const std::vector<Event>& events() const { return events_; }
+  /// Those of the last frame: its sub-steps, or their pieces.
+  [[nodiscard]] const std::vector<Step>& steps() const { return taken_; }
   [[nodiscard]] Energy energy() const;
   /// The scheme that a body's last sub-step was done with; see Options::order.
   [[nodiscard]] Scheme scheme(std::size_t body) const { return scheme_[body]; }
@@ -86,6 +96,7 @@ class World {
   void resize_for_slots();
   void start_given(const PatchSlot& patch);
   void place_hands(double fraction);
+  [[nodiscard]] int pieces_of(double h) const;
   void substep(double h);
   void add_to_island(int index);
   void lap(Phase phase) {
@@ -175,6 +186,7 @@ class World {
   std::vector<double> turned_;            // by body: angle of the last step
   std::vector<Eigen::Vector3d> changed_;  // ... and change of velocity
   std::vector<Eigen::Vector3d> moved_;    // ... and way of the centre
+  double last_h_{1};                      // of that step [s]
   std::vector<std::uint8_t> jumped_;      // by body, of the second order: a contact of its island changed its mode
   std::vector<Scheme> scheme_;            // by body: of its last step
   std::vector<int> parent_;               // of a body in its island
@@ -184,6 +196,7 @@ class World {
   IslandSolver solver_;
 
   std::vector<Event> events_;
+  std::vector<Step> taken_;
   double t_{};
   double hand_work_{}, dissipated_{}, start_height_{};
   long unconverged_{};

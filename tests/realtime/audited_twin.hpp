@@ -1,6 +1,7 @@
 #pragma once
 
-#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 #include "realtime/hand_path.hpp"
@@ -34,9 +35,9 @@ class AuditedTwin {
   void advance(const std::vector<HandFrame>& frame) {
     world_.advance(dt_, frame);
     for (std::size_t i = 0; i < paths_.size(); ++i) paths_[i].observe(dt_, frame[i]);
-    for (int i = 1; i <= substeps_; ++i) {
-      place(double(i) / substeps_);
-      audit_.advance(twin_, dt_ / substeps_, steps_);
+    for (const World::Step& step : world_.steps()) {
+      place(step.fraction);
+      audit_.advance(twin_, step.h, steps_);
     }
   }
 
@@ -53,10 +54,13 @@ class AuditedTwin {
   [[nodiscard]] const AuditTally& tally() const { return audit_.tally(); }
 
  private:
-  /// A gap of m frames is over by (m + 1) dt for the world, by m dt and a sub-step for the twin.
+  /// The steps are the world's, none is cut again. A gap of m frames is over by (m + 1) dt for the world, for the twin
+  /// by m dt and its next step, which is no longer than a sub-step.
   static Options twin_options(Options options, double dt) {
-    options.longest_bridge = std::max(0.0, options.longest_bridge - dt * (options.substeps - 1) / options.substeps);
+    const double most_frames = std::floor(options.longest_bridge / dt) - 1;
+    options.longest_bridge = most_frames < 0 ? 0 : (most_frames + 1.0 / options.substeps) * dt * (1 + 1e-9);
     options.substeps = 1;
+    options.longest_turn = std::numeric_limits<double>::infinity();
     return options;
   }
   void place(double fraction) {
