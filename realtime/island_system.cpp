@@ -145,7 +145,7 @@ bool IslandSystem::balance(Island& island, const std::vector<BodyStep>& bodies, 
     }
     // What rounding of positions makes of forces, and that of patches which press against each other.
     const double extent = bodies[std::size_t(p.target)].center.norm() + p.offset.norm();
-    const double stiff = reach_ * p.stiffness.k * extent, apart = 10 * reach_ * p.sums.size;
+    const double stiff = reach_ * p.stiffness.k * extent, apart = 2 * reach_ * p.sums.size;
     noise += (p.sums.count + p.slider_count) * stiff * stiff + apart * apart;
     if (const int t = row(p.target); t >= 0) {
       residual_[std::size_t(t)].head<3>() += reach_ * force;

@@ -63,8 +63,8 @@ void play_once(Series& series, const Entry& entry, const Options& options) {
   if (!series.failure.empty()) return;
   try {
     if (series.engine == "realtime") {
-      series.add(play_realtime(entry.benchmark.scene, entry.hands, options.frame_rate, options.substeps,
-                               order_of(options, series.scene)));
+      series.add(
+          play_realtime(entry.benchmark.scene, entry.hands, options.frame_rate, setting_of(options, series.scene)));
     } else {
       const PeerSetting setting = compare::peers::grip_setting(series.engine, series.scene);
       series.add(compare::peers::play(series.engine, entry.benchmark, setting, options.frame_rate, false).frame_time);
@@ -78,7 +78,7 @@ std::vector<Series> time_all(const std::map<std::string, Entry>& entries, const 
   std::vector<Series> all;
   for (const std::string& id : timed) {
     if (!wanted(options, id)) continue;
-    all.emplace_back(id, "realtime", fmt::format("substeps {}, order {}", options.substeps, order_of(options, id)));
+    all.emplace_back(id, "realtime", text_of(setting_of(options, id)));
     if (!options.peers) continue;
     for (const std::string& peer : compare::peers::peer_names())
       all.emplace_back(id, peer, compare::peers::grip_setting(peer, id).text());
@@ -101,8 +101,9 @@ Judged judge(const Entry& entry, const std::string& engine, const Options& optio
     if (engine == "realtime") {
       compare::EngineOptions of_engine;
       of_engine.frame_rate = options.frame_rate;
-      of_engine.substeps = options.substeps;
-      of_engine.order = order_of(options, entry.benchmark.id);
+      const realtime::Options setting = setting_of(options, entry.benchmark.id);
+      of_engine.substeps = setting.substeps;
+      of_engine.order = setting.order;
       recording = compare::make_engine(engine)->simulate(entry.benchmark.scene, of_engine);
     } else {
       const PeerSetting setting = compare::peers::grip_setting(engine, judged.scene);
@@ -159,8 +160,8 @@ void print_phases(const std::map<std::string, Entry>& entries, const Options& op
   std::vector<realtime::PhaseClock::Seconds> columns;
   std::vector<double> sums;
   for (const auto& [id, entry] : entries) {
-    columns.push_back(time_phases(entry.benchmark.scene, entry.hands, options.frame_rate, options.substeps,
-                                  options.order, options.rounds));
+    columns.push_back(
+        time_phases(entry.benchmark.scene, entry.hands, options.frame_rate, setting_of(options, id), options.rounds));
     sums.push_back(std::accumulate(columns.back().begin(), columns.back().end(), 0.0));
     fmt::print("{:>16}", id);
   }
@@ -224,11 +225,11 @@ Scene recorded_scene(const std::string& trace) {
 
 Series time_recorded(const Scene& scene, const Options& options) {
   const HandFrames hands = hand_frames(scene, options.frame_rate);
-  const int order = order_of(options, "trace");
-  Series series("trace", "realtime", fmt::format("substeps {}, order {}", options.substeps, order));
+  const realtime::Options setting = setting_of(options, "trace");
+  Series series("trace", "realtime", text_of(setting));
   for (int round = 0; round < options.rounds; ++round) {
     tell(fmt::format("round {} of {}: the recorded hand", round + 1, options.rounds));
-    series.add(play_realtime(scene, hands, options.frame_rate, options.substeps, order));
+    series.add(play_realtime(scene, hands, options.frame_rate, setting));
   }
   return series;
 }
@@ -265,9 +266,11 @@ nlohmann::json json_of(const Series& series) {
 
 void write_json(const Options& options, const std::vector<Series>& times, const std::vector<Gate>& goals,
                 const std::vector<Judged>& judged) {
-  nlohmann::json out{
-      {"rounds", options.rounds},          {"substeps", options.substeps},     {"frame_rate_hz", options.frame_rate},
-      {"timing", nlohmann::json::array()}, {"goals", nlohmann::json::array()}, {"quality", nlohmann::json::array()}};
+  nlohmann::json out{{"rounds", options.rounds},
+                     {"frame_rate_hz", options.frame_rate},
+                     {"timing", nlohmann::json::array()},
+                     {"goals", nlohmann::json::array()},
+                     {"quality", nlohmann::json::array()}};
   for (const Series& series : times) out["timing"].push_back(json_of(series));
   for (const Gate& goal : goals) out["goals"].push_back(json_of(goal));
   for (const Judged& one : judged) {

@@ -28,9 +28,15 @@ std::vector<std::string> split(const std::string& text) {
 
 }  // namespace
 
-int order_of(const Options& options, std::string_view scene) {
-  if (options.order > 0) return options.order;
-  return scene.substr(0, 2) == "S3" ? 2 : 1;
+realtime::Options setting_of(const Options& options, std::string_view scene) {
+  const std::string_view family = scene.substr(0, 2);
+  const bool moves = family == "S3" || family == "S5";
+  return {.substeps = options.substeps > 0 ? options.substeps : (moves ? 4 : 1),
+          .order = options.order > 0 ? options.order : (moves ? 2 : 1)};
+}
+
+std::string text_of(const realtime::Options& setting) {
+  return fmt::format("substeps {}, order {}", setting.substeps, setting.order);
 }
 
 Options parse(const std::vector<std::string>& arguments) {
@@ -79,8 +85,8 @@ Plays the benchmark scenes S1 to S6 (docs/benchmarks.md), tells what a frame cos
   --peers          MuJoCo, ODE and DART as well, those that were built in, in the same rounds
   --scenes S1,S2   only these
   --rounds N       plays of every scene and engine, interleaved; 5
-  --substeps N     of the real-time path, a frame; 4
-  --order N        of the real-time path: 1 implicit Euler, 2 implicit midpoint; 2 for S3, else 1
+  --substeps N     of the real-time path, a frame; 4 for S3 and S5, else 1
+  --order N        of the real-time path: 1 implicit Euler, 2 implicit midpoint; 2 for S3 and S5, else 1
   --frame-rate HZ  90
   --no-timing, --no-quality
   --phases         where the time of a frame of the real-time path goes

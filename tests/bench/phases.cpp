@@ -29,13 +29,13 @@ double cost_of_lap() {
 
 }  // namespace
 
-PhaseClock::Seconds time_phases(const Scene& scene, const HandFrames& hands, double frame_rate, int substeps, int order,
-                                int rounds) {
+PhaseClock::Seconds time_phases(const Scene& scene, const HandFrames& hands, double frame_rate,
+                                const realtime::Options& setting, int rounds) {
   const double dt = 1 / frame_rate;
   const double reading = cost_of_lap();
   std::vector<PhaseClock::Seconds> least(hands.size() - 3);
   for (int round = 0; round < rounds; ++round) {
-    realtime::World world(scene, {.substeps = substeps, .order = order});
+    realtime::World world(scene, setting);
     PhaseClock clock;
     world.watch(&clock);
     world.observe(dt, hands[0]);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "realtime/phase_clock.hpp"
+#include "realtime/world.hpp"
 #include "tests/bench/play.hpp"
 
 namespace handhold::bench {
@@ -8,6 +9,6 @@ namespace handhold::bench {
 /// Where the time of a frame goes: of each phase the median over the frames of its least time over `rounds` plays [s],
 /// less the clock's own share.
 [[nodiscard]] realtime::PhaseClock::Seconds time_phases(const Scene& scene, const HandFrames& hands, double frame_rate,
-                                                        int substeps, int order, int rounds);
+                                                        const realtime::Options& setting, int rounds);
 
 }  // namespace handhold::bench

@@ -23,10 +23,10 @@ HandFrames hand_frames(const Scene& scene, double frame_rate) {
   return all;
 }
 
-std::vector<double> play_realtime(const Scene& scene, const HandFrames& hands, double frame_rate, int substeps,
-                                  int order) {
+std::vector<double> play_realtime(const Scene& scene, const HandFrames& hands, double frame_rate,
+                                  const realtime::Options& setting) {
   const double dt = 1 / frame_rate;
-  realtime::World world(scene, {.substeps = substeps, .order = order});
+  realtime::World world(scene, setting);
   world.observe(dt, hands[0]);
   world.observe(dt, hands[1]);
   world.start(dt, hands[2]);

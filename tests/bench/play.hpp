@@ -4,6 +4,7 @@
 
 #include "cases/scene/scene.hpp"
 #include "realtime/hand_path.hpp"
+#include "realtime/world.hpp"
 
 namespace handhold::bench {
 
@@ -16,6 +17,6 @@ using HandFrames = std::vector<std::vector<realtime::HandFrame>>;  ///< a frame,
 /// clock takes 0.5 µs to read, as long as a quarter of a frame: frames that were interrupted are told from the others
 /// by repeating the scene (see Series). Throws InputError for a scene that World cannot express.
 [[nodiscard]] std::vector<double> play_realtime(const Scene& scene, const HandFrames& hands, double frame_rate,
-                                                int substeps, int order);
+                                                const realtime::Options& setting);
 
 }  // namespace handhold::bench

@@ -143,7 +143,7 @@ class RandomGrasp {
     options.longest_bridge = dt * random_.uniform(1.2, 6);
     order = random_.one_in(8) ? 2 : 1;
     options.order = order;
-    if (random_.one_in(2)) body.held_until = (std::floor(0.35 * frames) + 0.5 / options.substeps) * dt;
+    if (random_.one_in(2)) body.held_until = (std::floor(0.35 * frames) + 0.47 / options.substeps) * dt;
     scene.bodies = {body};
     scene.hands.resize(random_.one_in(3) ? 2 : 1);
     for (Hand& hand : scene.hands) hand.motion = shared_motion();
