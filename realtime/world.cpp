@@ -172,8 +172,13 @@ void World::advance(double dt, const std::vector<HandFrame>& hands) {
 }
 
 int World::pieces_of(double h) const {
-  double squared = 0;
-  for (const RigidBody& body : bodies_) squared = std::max(squared, body.w.squaredNorm());
+  double squared = 0;  // of what may touch: turning alone is exact
+  const auto look_at = [&](int body) { squared = std::max(squared, bodies_[std::size_t(body)].w.squaredNorm()); };
+  for (const Active& active : active_) {
+    const PatchSlot& slot = contacts_.patches[std::size_t(active.patch)];
+    look_at(slot.body);
+    if (slot.of_body()) look_at(slot.phalanx);
+  }
   const double pieces = std::ceil(h * std::sqrt(squared) / options_.longest_turn);
   return pieces > 1 ? int(std::min(pieces, most_pieces)) : 1;
 }

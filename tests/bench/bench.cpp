@@ -10,6 +10,7 @@
 #include <variant>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "cases/catalogue/benchmark_scenes.hpp"
@@ -59,6 +60,15 @@ std::string verdict(const std::vector<Gate>& gates) {
 // --- timing
 // --------------------------------------------------------------------------------------------------------------
 
+std::vector<std::string> wanted_peers(const Options& options) {
+  const std::vector<std::string>& built = compare::peers::peer_names();
+  for (const std::string& name : options.engines)
+    if (std::find(built.begin(), built.end(), name) == built.end())
+      throw InputError(fmt::format("--engines {}: not built in (there are: {})", name, fmt::join(built, ", ")));
+  if (!options.peers) return {};
+  return options.engines.empty() ? built : options.engines;
+}
+
 void play_once(Series& series, const Entry& entry, const Options& options) {
   if (!series.failure.empty()) return;
   try {
@@ -79,8 +89,7 @@ std::vector<Series> time_all(const std::map<std::string, Entry>& entries, const 
   for (const std::string& id : timed) {
     if (!wanted(options, id)) continue;
     all.emplace_back(id, "realtime", text_of(setting_of(options, id)));
-    if (!options.peers) continue;
-    for (const std::string& peer : compare::peers::peer_names())
+    for (const std::string& peer : wanted_peers(options))
       all.emplace_back(id, peer, compare::peers::grip_setting(peer, id).text());
   }
   for (int round = 0; round < options.rounds; ++round)
@@ -122,8 +131,8 @@ std::vector<Judged> judge_all(const std::map<std::string, Entry>& entries, const
     if (!wanted(options, id)) continue;
     std::vector<std::string> engines{"realtime"};
     const bool for_all = !entries.at(id).benchmark.phalanges.empty() || entries.at(id).benchmark.scene.hands.empty();
-    if (options.peers && for_all)
-      engines.insert(engines.end(), compare::peers::peer_names().begin(), compare::peers::peer_names().end());
+    if (for_all)
+      for (const std::string& peer : wanted_peers(options)) engines.push_back(peer);
     for (const std::string& engine : engines) {
       tell(fmt::format("quality: {} {}", id, engine));
       all.push_back(judge(entries.at(id), engine, options));

@@ -57,6 +57,8 @@ Options parse(const std::vector<std::string>& arguments) {
       options.quality = false;
     else if (name == "--phases")
       options.phases = true;
+    else if (name == "--engines")
+      options.engines = split(value());
     else if (name == "--scenes")
       options.scenes = split(value());
     else if (name == "--rounds")
@@ -83,6 +85,7 @@ std::string usage() {
 Plays the benchmark scenes S1 to S6 (docs/benchmarks.md), tells what a frame costs and how well it was simulated.
 
   --peers          MuJoCo, ODE and DART as well, those that were built in, in the same rounds
+  --engines ode    of the peers only these (ode, mujoco, dart)
   --scenes S1,S2   only these
   --rounds N       plays of every scene and engine, interleaved; 5
   --substeps N     of the real-time path, a frame; 4 for S3 and S5, else 1

@@ -9,8 +9,9 @@
 namespace handhold::bench {
 
 struct Options {
-  std::vector<std::string> scenes{};  ///< ids; empty: those that are timed, or all in quality
-  bool peers{false};                  ///< MuJoCo, ODE and DART as well, where built in
+  std::vector<std::string> scenes{};   ///< ids; empty: those that are timed, or all in quality
+  bool peers{false};                   ///< MuJoCo, ODE and DART as well, where built in
+  std::vector<std::string> engines{};  ///< peers: only these; empty: all
   bool timing{true}, quality{true};
   bool phases{false};  ///< where the time of a frame goes as well
   int rounds{5};

@@ -91,6 +91,8 @@ TEST(RandomGrasps, KeepEveryInvariantInEverySubStep) {
     if (twin.tally().gain > 0.01 * std::max(twin.tally().throughput, 1e-3) && std::getenv("HANDHOLD_VERBOSE"))
       std::cout << twin.tally().gain << " J gained of " << twin.tally().throughput << ": " << describe(seed, grasp)
                 << "\n";
+    if (twin.tally().backward > 0 && std::getenv("HANDHOLD_VERBOSE"))
+      std::cout << twin.tally().backward << " slides backwards: " << describe(seed, grasp) << "\n";
     if (twin.tally().unconverged > 0 && std::getenv("HANDHOLD_VERBOSE"))
       std::cout << twin.tally().unconverged << " sub-steps not solved: " << describe(seed, grasp) << "\n";
   }
