@@ -46,8 +46,8 @@ struct BodyStep {
   [[nodiscard]] Vector6 velocity() const { return u0 + change; }
 };
 
-/// The step of a body under `gravity` [m/s²] and `load` [N], [N m] at θ h. A fixed body is predicted to stay. `s` is new,
-/// or that of the same body in an earlier step.
+/// The step of a body under `gravity` [m/s²] and `load` [N], [N m] at θ h. A fixed body is predicted to stay. `s` is
+/// new, or that of the same body in an earlier step.
 void predict(const RigidBody& body, const Scheme& scheme, const Eigen::Vector3d& gravity, const Load& load, bool held,
              BodyStep& s);
 [[nodiscard]] inline BodyStep predict(const RigidBody& body, const Scheme& scheme, const Eigen::Vector3d& gravity,

@@ -18,6 +18,9 @@ void World::set_mode(std::size_t slot, Mode mode, double h) {
   if (mode == Mode::apart) contacts_.f_O.set(slot, Eigen::Vector3d::Zero());
   if (from == mode) return;
   contacts_.mode[slot] = mode;
+  // What touches has no part in the clearance of its pair: now that it is free again it is to be looked at.
+  if (mode == Mode::apart && contacts_.id[slot].belongs_to_body())
+    pairs_.set_clearance(contacts_.id[slot].body, contacts_.id[slot].phalanx, step_, 0);
   moments_[std::size_t(patch_of_slot_[slot])].stale = true;
   events_.push_back({t_ + h, h, kind_of(from, mode), contacts_.id[slot], bodies_[contacts_.id[slot].body].state()});
 }

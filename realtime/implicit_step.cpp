@@ -142,8 +142,8 @@ bool IslandSolver::newton(Island& island, std::vector<BodyStep>& bodies, int pat
   bool corrected = false;
   double least = std::numeric_limits<double>::infinity();
   for (int waits = 0; waits <= patience;) {
-    if (corrected && island.sliders.empty()) return true;  // a linear system is solved by one step, to rounding
-    const Cones cones = first && !corrected ? Cones::touching : Cones::live;
+    if (corrected && island.sliders.empty()) return system_.is_finite();  // linear: solved by one step, to rounding
+    const Cones cones = first && !corrected && !island.bodies.empty() ? Cones::touching : Cones::live;
     const bool balanced = system_.balance(island, bodies, tolerance_, cones);
     if (cones == Cones::live || island.sliders.empty()) {
       if (balanced) return true;
@@ -198,6 +198,7 @@ bool IslandSolver::find_balance(Island& island, std::vector<BodyStep>& bodies, b
   best_squared_ = std::numeric_limits<double>::infinity();
   if (newton(island, bodies, eager, first)) return true;
 
+  if (!std::isfinite(best_squared_)) return false;  // a body that is not finite
   restore(island, best_, bodies);
   (void)system_.balance(island, bodies, tolerance_, Cones::live);
   for (Slider& s : island.sliders) s.cap = s.way = 0;

@@ -144,6 +144,7 @@ Role World::role_of(const PatchStep& p, const SlotStep& step, std::size_t slot, 
   if (contacts_.mode[slot] == Mode::stick) return Role::linear;
   if (contacts_.mode[slot] == Mode::slip) return Role::sliding;
   const bool finger = p.source < 0;
+  if (finger && !next_[std::size_t(patch(step.patch).hand)].present) return Role::idle;
   if (!finger && !(watched_[std::size_t(step.patch)] && near_[slot])) return Role::idle;
   Anchor anchor;
   const Role role =

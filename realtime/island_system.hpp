@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "realtime/block_system.hpp"
@@ -32,6 +33,7 @@ class IslandSystem {
   bool balance(Island& island, const std::vector<BodyStep>& bodies, double tolerance, Cones cones);
   /// |r|² at the last `balance`, in SI units.
   [[nodiscard]] double squared_residual() const { return squared_; }
+  [[nodiscard]] bool is_finite() const { return std::isfinite(squared_); }
 
   /// One Newton step from the last `balance`: δ += step.
   void correct(const Island& island, std::vector<BodyStep>& bodies);

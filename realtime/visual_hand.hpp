@@ -95,7 +95,7 @@ class VisualHand {
   std::array<Pose, phalanx_count> drawn_{};
   std::array<double, phalanx_count> untouched_{};  // how long the phalanx's group has touched nothing [s]
   VisualInput last_{};
-  static constexpr std::size_t most_bodies = 16;
+  static constexpr std::size_t most_bodies = 255;  // as many as a scene may have
   std::array<Pose, most_bodies> last_X_WO_{};
   std::size_t last_bodies_{};
 };

@@ -44,6 +44,32 @@ TEST(Bodies, ABlockStaysOnAnInclineWithoutCreep) {
     }
 }
 
+/// Tipped by a short torque, the block falls back. With one edge lifted by z its centre is z/2 higher: two corners that
+/// catch all of that go m g z / 2 = ½ (2 k) d² deep, and m g / (2 k) as they carry it.
+TEST(Bodies, ABlockThatWasTippedLandsOnTheGroundAgain) {
+  for (const double spacing : {0.1, 0.05, 0.02})
+    for (const int order : {1, 2}) {
+      Scene scene = slope_scene(0, Vector3d::Zero());
+      scene.bodies[1].samples_O = surface_samples(make_box({0.1, 0.1, 0.04}), spacing);
+      scene.bodies[1].load = [](double t) { return t > 0.2 && t < 0.22 ? Load{{0, 0, 0}, {0, 0.4, 0}} : Load{}; };
+      World world = started(scene, {.substeps = 4, .order = order}, 1.0 / 90);
+      double lowest = 0, highest = 0;
+      for (int k = 1; k <= 90; ++k) {
+        world.advance(1.0 / 90, {});
+        for (const double x : {-0.05, 0.05})
+          for (const double y : {-0.05, 0.05}) {
+            const double z = (world.bodies()[1].X_WO * Vector3d(x, y, -0.02)).z();
+            lowest = std::min(lowest, z);
+            highest = std::max(highest, z);
+          }
+      }
+      const double twice_k = 2 * scene.body_contact.stiffness, weight = 0.5 * 9.81;
+      EXPECT_GT(highest, 1e-3) << spacing << " " << order;
+      EXPECT_LT(highest, 5e-3) << spacing << " " << order;
+      EXPECT_GT(lowest, -weight / twice_k - std::sqrt(weight * highest / twice_k)) << spacing << " " << order;
+    }
+}
+
 /// x = g (sin − μ cos) t²/2. The springs' own transient is as long as the lag at the start, μ N / k = 3e-5 m. The step
 /// in which the block touches and the next one are implicit Euler: a h²/2 each.
 TEST(Bodies, ABlockSlidesDownAnIncline) {
@@ -121,8 +147,8 @@ TEST(Bodies, ACollisionKeepsMomentum) {
   }
 }
 
-/// A free asymmetric body: its angular momentum and its energy stay to rounding at both orders. Without `keep_energy` it
-/// gains at order 1 in every step.
+/// A free asymmetric body: its angular momentum and its energy stay to rounding at both orders. Without `keep_energy`
+/// it gains at order 1 in every step.
 TEST(Bodies, AFreeBodyKeepsItsAngularMomentumAndItsEnergy) {
   Scene scene;
   scene.name = "tumbling";
