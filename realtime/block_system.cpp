@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
 
 #include <Eigen/Geometry>
 
+#include "realtime/lanes.hpp"
 #include "realtime/small_solve.hpp"
 
 namespace handhold::realtime {
@@ -15,16 +15,6 @@ constexpr int word_bits = 64;
 constexpr int done = -1;  // degree of a row that is eliminated
 
 int words_for(int rows) { return (rows + word_bits - 1) / word_bits; }
-
-/// Two numbers: a vector register of the least machine.
-using Lanes = double __attribute__((vector_size(2 * sizeof(double))));
-
-[[gnu::always_inline]] inline Lanes load(const double* p) {
-  Lanes v;
-  std::memcpy(&v, p, sizeof v);
-  return v;
-}
-[[gnu::always_inline]] inline void store(double* p, Lanes v) { std::memcpy(p, &v, sizeof v); }
 
 enum class Right { as_is, transposed };
 

@@ -13,12 +13,6 @@ using Eigen::Vector3d;
 
 constexpr double touching = 1e-6;  // [m]
 
-Matrix3d cross_matrix(const Vector3d& w) {
-  Matrix3d m;
-  m << 0, -w.z(), w.y(), w.z(), 0, -w.x(), -w.y(), w.x(), 0;
-  return m;
-}
-
 /// Rotation by a unit quaternion, less the identity: exactly zero for a hand that does not turn.
 Matrix3d turn_by(const Eigen::Quaterniond& q) {
   const Vector3d two = 2 * q.vec(), w = q.w() * two;

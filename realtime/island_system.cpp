@@ -14,12 +14,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-Matrix3d cross_matrix(const Vector3d& r) {
-  Matrix3d m;
-  m << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
-  return m;
-}
-
 /// Σ Gᵀ G slope over the linear samples, G = [1, −a×].
 Matrix6 stick_slope(const PatchStep& p) {
   const double s = p.stiffness.slope;

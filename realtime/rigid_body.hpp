@@ -41,4 +41,11 @@ struct RigidBody {
 /// exp(angle) of a rotation vector.
 [[nodiscard]] Eigen::Quaterniond rotation_by(const Eigen::Vector3d& angle);
 
+/// w× as a matrix.
+[[nodiscard]] inline Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& w) {
+  Eigen::Matrix3d m;
+  m << 0, -w.z(), w.y(), w.z(), 0, -w.x(), -w.y(), w.x(), 0;
+  return m;
+}
+
 }  // namespace handhold::realtime

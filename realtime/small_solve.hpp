@@ -54,8 +54,9 @@ struct SymmetricFactor {
   return x;
 }
 
-/// Inverse by Gauss and Jordan without pivots: of masses plus what contacts add to them, whose symmetric part is
-/// positive definite. Unrolled, or its loads would wait for its stores.
+/// Inverse by Gauss and Jordan without pivots: of masses plus what contacts add to them. With friction that slides its
+/// symmetric part need not be definite; what is lost then is seen in the residual of the next Newton step. Unrolled, or
+/// its loads would wait for its stores.
 [[nodiscard]] inline Matrix6 inverse_of(Matrix6 A) {
 #pragma GCC unroll 6
   for (int k = 0; k < 6; ++k) {
