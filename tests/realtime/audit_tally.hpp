@@ -43,7 +43,7 @@ struct EnergyTerms {
 struct AuditTally {
   long steps{}, forces{}, slides{};
   long unknown{};   ///< slid as they touched, from an anchor that nobody shows: neither cone nor energy is checked
-  long backward{};  ///< slides that ended behind where they began
+  long backward{};  ///< slides that ended behind where they began, on the same side of the body
   long unconverged{}, audited{};  ///< steps; audited: with their energy
   double momentum{}, cone{}, element{}, energy{};
   double gain{};        ///< most of kinetic + potential − start − what hands gave, ever [J]

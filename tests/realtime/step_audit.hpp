@@ -199,7 +199,8 @@ class StepAudit {
 
     const Vector3d moved = R * (now.C_O[slot] - anchor.C_O);
     const double voxel = scene_.bodies[std::size_t(patch.body)].field->grid().spacing;
-    tally_.backward += falls_back(tangent, moved, voxel);
+    const bool round_a_rim = (R * now.n_O[slot]).dot(n) < 0;  // forward all the way, and so behind where it began
+    tally_.backward += !round_a_rim && falls_back(tangent, moved, voxel);
     rounding_energy_ += rounding * (true_end(now, patch, slot).norm() + h_ * (v_p.norm() + target.velocity(p).norm()));
 
     // The element at the solution, as linearised.
