@@ -99,6 +99,28 @@ TEST(Bodies, StopsWhereCoulombSays) {
   }
 }
 
+/// As many equal pieces as keep each turn within 0.25 rad, 16 at most; what flies alone turns exactly and is left
+/// alone.
+TEST(Bodies, AStepInWhichSomethingThatTouchesTurnsFarIsCut) {
+  constexpr double h = 1.0 / 90;
+  for (const double w : {10.0, 40.0, 60.0, 2000.0})
+    for (const bool touching : {true, false}) {
+      Scene scene = slope_scene(0, Vector3d::Zero());
+      scene.bodies[1].V_WO.w = {0, 0, w};
+      if (!touching) scene.bodies[1].X_WO.p.z() = 5;  // its corners go 1.6 m in a step
+      World world = started(scene, {.substeps = 1}, h);
+      world.advance(h, {});
+      const double turn = h * world.bodies()[1].w.norm();
+      world.advance(h, {});
+      const std::size_t pieces = touching ? std::min(std::size_t(std::ceil(turn / 0.25)), std::size_t(16)) : 1;
+      ASSERT_EQ(world.steps().size(), pieces) << w;
+      for (std::size_t i = 0; i < pieces; ++i) {
+        EXPECT_DOUBLE_EQ(world.steps()[i].fraction, double(i + 1) / double(pieces));
+        EXPECT_DOUBLE_EQ(world.steps()[i].h, h / double(pieces));
+      }
+    }
+}
+
 TEST(Bodies, ATowerStands) {
   Scene scene = blocks(18, 3);
   World world = started(scene, {.substeps = 1}, 1.0 / 90);

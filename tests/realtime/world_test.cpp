@@ -368,6 +368,7 @@ TEST(World, RefusesWhatItCannotSimulate) {
   EXPECT_THROW(World(scene, {.substeps = 0}), InputError);
   EXPECT_THROW(World(scene, {.order = 3}), InputError);
   EXPECT_THROW(World(scene, {.longest_bridge = -1}), InputError);
+  EXPECT_THROW(World(scene, {.longest_turn = 0}), InputError);
   scene.bodies.clear();
   EXPECT_THROW(World(scene, {}), InputError);
 }
