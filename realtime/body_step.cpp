@@ -10,9 +10,6 @@ namespace {
 /// What keeps a body of Mobility::translation from turning: no torque does anything to it, to the last bit [kg m²].
 constexpr double no_turning = 1e30;
 
-/// A body at rest turns by rounding; what forces turn by then is not worth the products [rad].
-constexpr double no_turn = 1e-12;
-
 /// Turns a body that flies freely, with spin L, about ω × L until it has the energy T again: a turn at a constant rate
 /// takes a spin about no principal axis off the ellipsoid of constant energy, and it would gain some in every step. The
 /// turn is of second order in that of the step, `angle`.
@@ -41,12 +38,7 @@ void predict(const RigidBody& body, const Scheme& scheme, const Eigen::Vector3d&
   const bool spins = place > 0 && body.turns() && !body.w.isZero(0);
   const Eigen::Matrix3d R0 = body.X_WO.R.toRotationMatrix();
   s.R = spins ? (rotation_by(place * body.w) * body.X_WO.R).toRotationMatrix() : R0;
-  const bool turned_before = s.turned;
-  s.turned = body.turns() && (reach - place) * body.w.norm() > no_turn;
-  if (s.turned)
-    s.turn = rotation_by((reach - place) * body.w).toRotationMatrix();
-  else if (turned_before)
-    s.turn.setIdentity();
+  if (body.turns()) s.turn = rotation_by(scheme.h * body.w);
   s.arm_O = s.R * body.center_O;
   s.center = body.X_WO.p + R0 * body.center_O + place * body.v;
   if (!body.moves()) return;

@@ -9,9 +9,9 @@ namespace handhold::realtime {
 struct Scheme {
   double h{};       ///< step [s]
   double theta{1};  ///< 1 or 1/2
-  /// Where positions are linearised about, from the start [s]: the middle of a step for the midpoint rule. For Euler's
-  /// its start: what swings then keeps its amplitude (symplectic), and a pair of bodies its angular momentum; the end,
-  /// as predicted, would damp every swing.
+  /// Where arms and directions are taken, from the start [s]: the middle of a step for the midpoint rule. For Euler's
+  /// its start: what swings then keeps its amplitude (symplectic), and a pair of bodies its angular momentum; the end
+  /// would damp every swing.
   [[nodiscard]] double place() const { return theta == 1 ? 0 : theta * h; }
   [[nodiscard]] double reach() const { return theta * h; }         ///< from the start to where forces are taken [s]
   [[nodiscard]] double lead() const { return reach() - place(); }  ///< from `place` to there [s]
@@ -25,20 +25,19 @@ struct Scheme {
 /// centre of mass) at the start. The angular momentum is carried over as it is, so there is no gyroscopic term and a
 /// free body keeps it to the last bit but rounding.
 struct BodyStep {
-  Pose X_WO{};                                        ///< at the start
-  Eigen::Matrix3d R{Eigen::Matrix3d::Identity()};     ///< of O in W, likewise
-  Eigen::Matrix3d turn{Eigen::Matrix3d::Identity()};  ///< from `place` to θ h, predicted: forces turn with the body
-  Eigen::Vector3d center{Eigen::Vector3d::Zero()};    ///< at `place`, predicted as if it went on as it does, in W
-  Eigen::Vector3d arm_O{Eigen::Vector3d::Zero()};     ///< from O's origin to the centre, R center_O
-  Vector6 u0{Vector6::Zero()};                        ///< velocity at the start
-  Vector6 momentum{Vector6::Zero()};                  ///< P0
-  Vector6 external{Vector6::Zero()};                  ///< F: gravity and load, at θ h [N], [N m]
-  Vector6 load{Vector6::Zero()};                      ///< of it the load
-  Matrix6 mass{Matrix6::Zero()};                      ///< (1 + θ h / τ) M
-  Vector6 rest{Vector6::Zero()};                      ///< P0 + θ h F − mass u0: right side without contacts
-  Vector6 change{Vector6::Zero()};                    ///< δ
-  bool turned{false};                                 ///< `turn` is not the identity
-  double drag{};                                      ///< 1 / τ while a support holds the body, else 0
+  Pose X_WO{};                                              ///< at the start
+  Eigen::Matrix3d R{Eigen::Matrix3d::Identity()};           ///< of O in W, likewise
+  Eigen::Vector3d center{Eigen::Vector3d::Zero()};          ///< at `place`, predicted as if it went on as it does, in W
+  Eigen::Vector3d arm_O{Eigen::Vector3d::Zero()};           ///< from O's origin to the centre, R center_O
+  Eigen::Quaterniond turn{Eigen::Quaterniond::Identity()};  ///< exp(h ω): of the step, if it went on as it does
+  Vector6 u0{Vector6::Zero()};                              ///< velocity at the start
+  Vector6 momentum{Vector6::Zero()};                        ///< P0
+  Vector6 external{Vector6::Zero()};                        ///< F: gravity and load, at θ h [N], [N m]
+  Vector6 load{Vector6::Zero()};                            ///< of it the load
+  Matrix6 mass{Matrix6::Zero()};                            ///< (1 + θ h / τ) M
+  Vector6 rest{Vector6::Zero()};                            ///< P0 + θ h F − mass u0: right side without contacts
+  Vector6 change{Vector6::Zero()};                          ///< δ
+  double drag{};                                            ///< 1 / τ while a support holds the body, else 0
   bool held{false};
   bool turns{false};
 

@@ -76,7 +76,7 @@ void World::book_sticking(const PatchStep& p, const Scheme& scheme) {
 Eigen::Vector3d World::force(std::size_t slot) const {
   const PatchSlot& patch = contacts_.patches[std::size_t(patch_of_slot_[slot])];
   const BodyStep& step = steps_[std::size_t(patch.body)];
-  return step.turn * (step.R * contacts_.f_O[slot]);
+  return step.R * contacts_.f_O[slot];
 }
 
 ContactState World::contact(std::size_t slot) const {
@@ -90,7 +90,7 @@ ContactState World::contact(std::size_t slot) const {
   state.id = contacts_.id[slot];
   state.mode = contacts_.mode[slot];
   state.p_W = X_WS * contacts_.p_P[slot];
-  state.f_W = force(slot);
+  state.f_W = X_WO.R * contacts_.f_O[slot];
   Anchor anchor{contacts_.C_O[slot], contacts_.n_O[slot]};
   const Eigen::Vector3d p_O = X_WO.inverse() * state.p_W;
   if (state.mode == Mode::apart && !foot(*source(patch.body).field, p_O, anchor)) anchor = {p_O, anchor.n_O};

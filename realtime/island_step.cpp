@@ -80,20 +80,21 @@ void World::prepare_patches(PatchStep& p, const Scheme& scheme) {
   for (int i = p.first_patch; i < p.first_patch + p.patch_count; ++i) {
     SlotStep& step = island_.slots[std::size_t(i)];
     step.motion = p.source < 0 ? motion_of_hand(patch(step.patch), target, scheme)
-                               : motion_of_body(steps_[std::size_t(p.source)], target);
+                               : motion_of_body(steps_[std::size_t(p.source)], target, scheme);
     if (give_roles(p, step, scheme)) p.watches = true;
   }
 }
 
-/// Points of a phalanx go straight from where they are before the step to where they are after it, x0 to x1. With the
-/// turn Q from one to the other, x1 − x0 is (Q − 1) x0 to within the way of the centre, and for the mean
-/// 2 tan(α / 2) axis × (x0 + x1) / 2 (Cayley).
+/// Points of a phalanx go straight from where they are before the step to where they are after it, x0 to x1; for the
+/// midpoint rule by 2 tan(α / 2) axis × (x0 + x1) / 2 about it (Cayley), with α and axis of its turn. Euler's rule sees
+/// them from the body, as that would move: else a hand that carries a body round would press it harder at every step,
+/// by the sagitta of its way, and take work from nowhere.
 PatchMotion World::motion_of_hand(const PatchSlot& patch, const BodyStep& target, const Scheme& scheme) const {
   const Pose& X0 = now_[std::size_t(patch.hand)].X_WP[std::size_t(patch.phalanx)];
   const Pose& X1 = next_[std::size_t(patch.hand)].X_WP[std::size_t(patch.phalanx)];
   const Eigen::Quaterniond turn = X1.R * X0.R.conjugate();
   const double rate = 1 / scheme.h;
-  const Vector3d v0 = target.u0.head<3>(), w0 = target.u0.tail<3>();
+  const Vector3d v0 = target.u0.head<3>(), w0 = target.u0.tail<3>(), v = rate * (X1.p - X0.p) - v0;
   PatchMotion m;
   m.R = X0.R.toRotationMatrix();
   if (scheme.place() > 0) {
@@ -101,22 +102,31 @@ PatchMotion World::motion_of_hand(const PatchSlot& patch, const BodyStep& target
     m.R = Matrix3d(0.5 * (m.R + X1.R.toRotationMatrix()));
     m.t = 0.5 * (X0.p + X1.p) - target.center;
     m.W = cross_matrix(2 * rate / std::copysign(std::max(std::abs(turn.w()), half_turn), turn.w()) * turn.vec() - w0);
-  } else {
-    m.t = X0.p - target.center;
-    m.W = rate * turn_by(turn) - cross_matrix(w0);
+    m.u = v - w0.cross(m.t);
+    return m;
   }
-  m.u = rate * (X1.p - X0.p) - v0 - w0.cross(m.t);
+  const Matrix3d back = turn_by(target.turn.conjugate());
+  m.t = X0.p - target.center;
+  m.W = rate * turn_by(target.turn.conjugate() * turn);
+  m.u = v + back * (v + rate * m.t);
   return m;
 }
 
-PatchMotion World::motion_of_body(const BodyStep& from, const BodyStep& target) const {
+PatchMotion World::motion_of_body(const BodyStep& from, const BodyStep& target, const Scheme& scheme) const {
   const Vector3d v0 = target.u0.head<3>(), w0 = target.u0.tail<3>();
   const Vector3d v1 = from.u0.head<3>(), w1 = from.u0.tail<3>();
   PatchMotion m;
   m.R = from.R;
   m.t = from.origin() - target.center;
-  m.W = cross_matrix(w1 - w0);
-  m.u = v1 - w1.cross(from.arm_O) - v0 - w0.cross(m.t);
+  if (scheme.place() > 0) {
+    m.W = cross_matrix(w1 - w0);
+    m.u = v1 - w1.cross(from.arm_O) - v0 - w0.cross(m.t);
+    return m;
+  }
+  const double rate = 1 / scheme.h;
+  const Matrix3d back = turn_by(target.turn.conjugate());
+  m.W = rate * turn_by(target.turn.conjugate() * from.turn);
+  m.u = v1 - v0 + back * (v1 - v0 + rate * (from.center - target.center)) - m.W * from.arm_O;
   return m;
 }
 
@@ -242,7 +252,7 @@ void World::finish(const Scheme& scheme) {
 void World::finish_slider(const PatchStep& p, const Slider& s, const Scheme& scheme) {
   if (!(s.trial.N > 0)) return let_go(s.slot, scheme.h);
   const BodyStep& target = steps_[std::size_t(p.target)];
-  contacts_.f_O.set(s.slot, (target.turn * target.R).transpose() * s.f);
+  contacts_.f_O.set(s.slot, target.R.transpose() * s.f);
   const bool slides = s.sliding && s.trial.t_norm > p.friction.mu_dynamic * s.trial.N;
   Vector3d dv, dw;
   p.relative(steps_, dv, dw);
@@ -267,7 +277,7 @@ void World::finish_slider(const PatchStep& p, const Slider& s, const Scheme& sch
 /// The work of friction is that on what the slider slips, wherever the surface lets its anchor go.
 void World::slip(const PatchStep& p, const Slider& s, const Vector3d& reach, const Vector3d& step) {
   const BodyStep& target = steps_[std::size_t(p.target)];
-  const Matrix3d R_OW = (target.turn * target.R).transpose();
+  const Matrix3d R_OW = target.R.transpose();
   Anchor anchor{contacts_.C_O[s.slot], contacts_.n_O[s.slot]};
   if (!slide(*source(p.target).field, anchor.C_O + R_OW * reach, R_OW * step, anchor)) slid_off_.push_back(s.slot);
   contacts_.C_O.set(s.slot, anchor.C_O);

@@ -21,7 +21,7 @@ struct LaneSums {
 };
 
 /// Adds two patches, a lane each. Every sum is that of the mean plus that about the mean: q = R (p − mean),
-/// d = q − R_O (C − mean), f = U (k d + ahead W q).
+/// d = q − R_O (C − mean), f = k d + ahead W q.
 [[gnu::always_inline]] inline void add(const PatchMotion& m0, const PatchMotion& m1, const StickMoments& s0,
                                        const StickMoments& s1, const Stiffness& stiffness, const BodyStep& target,
                                        LaneSums& sums) {
@@ -29,23 +29,14 @@ struct LaneSums {
   const Lanes n{s0.count, s1.count};
   const Lanes3 x = R * gather(s0.p, s1.p), a = x + gather(m0.t, m1.t);
   const Lanes3 r = a + (both(target.arm_O) - R_O * gather(s0.C, s1.C));
-  Lanes3 v = W * x + gather(m0.u, m1.u);
-  Lanes3 f = stiffness.k * r + stiffness.ahead * v;
+  const Lanes3 v = W * x + gather(m0.u, m1.u);
+  const Lanes3 f = stiffness.k * r + stiffness.ahead * v;
   const LaneMatrix qq = times_transposed(R * gather(s0.pp, s1.pp), R);
   const LaneMatrix qd = qq - times_transposed(R * gather(s0.pC, s1.pC), R_O);
   const LaneMatrix Wq_q = W * qq;
   const Lanes squared = inner(W, Wq_q);
   const Lanes power = stiffness.k * inner(W, transposed(qd)) + stiffness.ahead * squared;
-  LaneMatrix v_q = Wq_q;
-  LaneMatrix d_q = transposed(qd);
-  if (target.turned) {
-    const LaneMatrix U = both(target.turn);
-    v = U * v;
-    f = U * f;
-    v_q = U * v_q;
-    d_q = U * d_q;
-  }
-  const Lanes3 q_v = axial(v_q), q_d = axial(d_q);  // Σ v × q, Σ d × q
+  const Lanes3 q_v = axial(Wq_q), q_d = axial(transposed(qd));  // Σ v × q, Σ d × q
   const Lanes3 nf = n * f, nv = n * v, na = n * a;
   sums.count += n;
   sums.arm += na;
@@ -94,8 +85,7 @@ struct ForceMap {
   return {{{zero, -w.z, w.y}, {w.z, zero, -w.x}, {-w.y, w.x, zero}}};
 }
 
-/// Of two patches, a lane each: W f = U (k (R p + t + arm_O − R_O C) + ahead (W R p + u)) − slope (dv + dw × (R p +
-/// t)).
+/// Of two patches, a lane each: W f = k (R p + t + arm_O − R_O C) + ahead (W R p + u) − slope (dv + dw × (R p + t)).
 [[gnu::always_inline]] inline ForceMap force_map(const PatchMotion& m0, const PatchMotion& m1,
                                                  const Stiffness& stiffness, const BodyStep& target,
                                                  const Change& change) {
@@ -106,17 +96,10 @@ struct ForceMap {
   A.row[1].y += k;
   A.row[2].z += k;
   Lanes3 b = k * (t + both(target.arm_O)) + stiffness.ahead * gather(m0.u, m1.u);
-  LaneMatrix R_O = both(target.R);
-  if (target.turned) {
-    const LaneMatrix U = both(target.turn);
-    A = U * A;
-    b = U * b;
-    R_O = U * R_O;
-  }
   const Lanes3 w = stiffness.slope * change.dw;
   A = (A - cross_matrix(w)) * gather(m0.R, m1.R);
   b = b - stiffness.slope * change.dv - cross(w, t);
-  const LaneMatrix back = transposed(R_O);
+  const LaneMatrix back = transposed(both(target.R));
   return {back * A, back * b};
 }
 
@@ -189,8 +172,6 @@ SampleStep sample_step(const PatchMotion& motion, const BodyStep& target, double
   s.v = motion.W * x + motion.u;
   s.reach = s.arm + (target.arm_O - target.R * contacts.C_O[slot]) + lead * s.v;
   s.n = target.R * contacts.n_O[slot];
-  if (!target.turned) return s;
-  for (Vector3d* turned : {&s.v, &s.reach, &s.n}) *turned = Vector3d(target.turn * *turned);
   return s;
 }
 

@@ -28,12 +28,12 @@ enum class Role : std::uint8_t {
 struct PatchMotion {
   Eigen::Matrix3d R;  ///< arm = R p_P + t, p less the body's centre of mass
   Eigen::Vector3d t;
-  Eigen::Matrix3d W;  ///< v = W R p_P + u, of p less that of the body's material point at p, if no velocity changed in
-  Eigen::Vector3d u;  ///< this step
+  Eigen::Matrix3d W;  ///< v = W R p_P + u: of p as its body sees it, if no velocity changed in this step
+  Eigen::Vector3d u;
 };
 
 /// Spring and damper of sticking samples, and how their force falls with a change δ of relative velocity:
-/// f = U (k (p − C) + ahead v) − slope δ with p, C and v at `Scheme::place`, and U the body's turn from there to θ h.
+/// f = k (p − C) + ahead v − slope δ with p and C at `Scheme::place`.
 struct Stiffness {
   double k{}, c{};
   double slope{};  ///< k θ h + c

@@ -131,7 +131,7 @@ class World {
   void prepare(const Scheme& scheme);
   void prepare_patches(PatchStep& p, const Scheme& scheme);
   [[nodiscard]] PatchMotion motion_of_hand(const PatchSlot& patch, const BodyStep& target, const Scheme& scheme) const;
-  [[nodiscard]] PatchMotion motion_of_body(const BodyStep& from, const BodyStep& target) const;
+  [[nodiscard]] PatchMotion motion_of_body(const BodyStep& from, const BodyStep& target, const Scheme& scheme) const;
   [[nodiscard]] bool give_roles(const PatchStep& p, const SlotStep& step, const Scheme& scheme);
   [[nodiscard]] Role role_of(const PatchStep& p, const SlotStep& step, std::size_t slot, const Scheme& scheme);
   [[nodiscard]] Eigen::Vector3d free_end(const PatchStep& p, const SlotStep& step, std::size_t slot,

@@ -21,7 +21,6 @@ struct AuditedBody {
   double mass{}, grown{1};
   Vector3d center_O{Vector3d::Zero()}, center{Vector3d::Zero()};
   Matrix3d R{Matrix3d::Identity()}, inverse_J{Matrix3d::Zero()};
-  Matrix3d turn{Matrix3d::Identity()};  // of forces, from there to where they are taken
   Vector3d u0{Vector3d::Zero()}, w0{Vector3d::Zero()}, u{Vector3d::Zero()}, w{Vector3d::Zero()};
   Vector3d v1{Vector3d::Zero()};  // at the end
   Vector3d L0{Vector3d::Zero()}, L1{Vector3d::Zero()};
@@ -31,6 +30,11 @@ struct AuditedBody {
   [[nodiscard]] Vector3d at(const Vector3d& p_O) const { return center + R * (p_O - center_O); }
   [[nodiscard]] Vector3d velocity(const Vector3d& p) const { return u + w.cross(p - center); }
   [[nodiscard]] Vector3d velocity_before(const Vector3d& p) const { return u0 + w0.cross(p - center); }
+  /// Where a point would be after h, and how the body would have turned, if no velocity changed.
+  [[nodiscard]] Eigen::Quaterniond turn_before(double h) const { return rotation_by(h * w0); }
+  [[nodiscard]] Vector3d goes_on(const Vector3d& p, double h) const {
+    return center + h * u0 + turn_before(h) * (p - center);
+  }
   [[nodiscard]] Vector3d change(const Vector3d& p) const { return u - u0 + (w - w0).cross(p - center); }
 
   [[nodiscard]] Vector3d at_theta(const Vector3d& start, const Vector3d& end) const {
@@ -59,7 +63,6 @@ inline AuditedBody audited_body(const RigidBody& before, const RigidBody& after,
   m.center_O = before.center_O;
   const BodyStep step = predict(before, scheme, gravity, load, held);
   m.R = step.R;
-  m.turn = step.turn;
   m.center = step.center;
   if (!m.moves) return m;
   if (held) m.grown = 1 + scheme.h / support_time;

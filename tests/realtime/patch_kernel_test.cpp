@@ -66,20 +66,16 @@ struct Patches {
 };
 
 /// Two full patches, one without sticking samples between them, one of odd size, and a mixed one.
-Patches some_patches(bool turned) {
+Patches some_patches() {
   Patches p;
   p.target.R = p.rotation();
-  p.target.turned = turned;
-  if (turned) p.target.turn = p.rotation();
   p.target.arm_O = p.vector();
   for (const char* sticks : {"ssssssss", "....", "ssssssss", "sssss", "s..s.s"}) p.add(sticks);
   return p;
 }
 
-class PatchKernel : public testing::TestWithParam<bool> {};
-
-TEST_P(PatchKernel, SumsAreThoseOfTheSamples) {
-  const Patches p = some_patches(GetParam());
+TEST(PatchKernel, SumsAreThoseOfTheSamples) {
+  const Patches p = some_patches();
   const StickSums sums = sum_sticking(p.steps.data(), p.steps.data() + p.steps.size(), stiffness, p.target, p.moments);
   StickSums expected;
   double size = 0;
@@ -108,8 +104,8 @@ TEST_P(PatchKernel, SumsAreThoseOfTheSamples) {
   EXPECT_NEAR(sums.squared_v, expected.squared_v, tolerance);
 }
 
-TEST_P(PatchKernel, ResultsAreThoseOfTheSamples) {
-  Patches p = some_patches(GetParam());
+TEST(PatchKernel, ResultsAreThoseOfTheSamples) {
+  Patches p = some_patches();
   const Vector3d dv = p.vector(), dw = p.vector();
   const StickSums sums = sum_sticking(p.steps.data(), p.steps.data() + p.steps.size(), stiffness, p.target, p.moments);
   const StickResult result = result_of(sums, stiffness, dv, dw);
@@ -117,7 +113,7 @@ TEST_P(PatchKernel, ResultsAreThoseOfTheSamples) {
                     p.contacts);
   StickResult expected;
   double size = 0;
-  const Matrix3d R = p.target.turn * p.target.R;
+  const Matrix3d& R = p.target.R;
   p.each_linear([&](const SlotStep&, std::size_t slot, const SampleStep& s) {
     const Vector3d change = dv + dw.cross(s.arm), v = s.v - change;
     const Vector3d f = stiffness.k * (s.reach - h * change) + stiffness.c * v;
@@ -136,8 +132,8 @@ TEST_P(PatchKernel, ResultsAreThoseOfTheSamples) {
 }
 
 /// One sample that pulls or is outside its cone is found wherever in a patch it is, and only its own patch is told.
-TEST_P(PatchKernel, OneSampleThatDoesNotHoldIsFound) {
-  Patches p = some_patches(GetParam());
+TEST(PatchKernel, OneSampleThatDoesNotHoldIsFound) {
+  Patches p = some_patches();
   // Every anchor 1 cm behind its sample's end, along the normal: f = −k 0.01 n where nothing moves.
   for (SlotStep& step : p.steps) {
     step.motion.W.setZero();
@@ -171,8 +167,6 @@ TEST_P(PatchKernel, OneSampleThatDoesNotHoldIsFound) {
     press(step, slot, Vector3d::Zero());
   });
 }
-
-INSTANTIATE_TEST_SUITE_P(Turned, PatchKernel, testing::Bool());
 
 /// Moments are kept until they are told of a change, and stay out of date while roles are not what modes say.
 TEST(StickMoments, AreKeptUntilTold) {

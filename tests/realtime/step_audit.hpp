@@ -136,13 +136,13 @@ class StepAudit {
 
   /// The anchor of a hand's sample that touched in this step, before it slid on in the same step.
   [[nodiscard]] bool touch_of_finger(const PatchSlot& patch, const Vector3d& p_P, const Vector3d& p,
-                                     const Vector3d& v_p, Anchor& anchor) const {
+                                     const Vector3d& v_before, Anchor& anchor) const {
     if (patch.of_body()) return false;
     const HandPath& path = paths_[std::size_t(patch.hand)];
     const Vector3d p0 = path.is_back() ? path.last_seen(patch.phalanx) * p_P : hand_point(patch, p_P);
     const AuditedBody& body = moved_[std::size_t(patch.body)];
     const Vector3d fall = body.moves ? Vector3d(h_ * h_ / body.mass * body.load) : Vector3d(Vector3d::Zero());
-    const Vector3d way = (h_ - body.scheme.place()) * (v_p - body.velocity_before(p)) - fall;
+    const Vector3d way = (h_ - body.scheme.place()) * v_before - fall;
     const Vector3d to = body.R.transpose() * (p - body.center + way) + body.center_O;
     const Vector3d from = bodies_[std::size_t(patch.body)].X_WO.inverse() * p0;
     return find_touch(*scene_.bodies[std::size_t(patch.body)].field, from, to, TouchNormal::smooth, anchor);
@@ -163,6 +163,7 @@ class StepAudit {
     const Vector3d p1 = after_point(patch, p_P), share = (p1 - p0) / h_;
     const Vector3d p = source ? source->at(p_P) : Vector3d(p0 + place * share);  // where the step is linearised
     const Vector3d v_p = source ? source->velocity(p) : share;
+    const Vector3d v_before = seen_before(target, source, p, p1, share);
     const double k = contact.stiffness, c = contact.damping, slope = k * reach + c;
 
     // Sums of the momentum balance, and what rounding makes of them: of positions a metre from the origin, times k.
@@ -183,7 +184,7 @@ class StepAudit {
     const bool slides = now.mode[slot] == Mode::slip;
     tally_.slides += slides;
     Anchor anchor{now.C_O[slot], now.n_O[slot]};  // before the step
-    if (slides && touched && !touch_of_finger(patch, p_P, p, share, anchor)) {
+    if (slides && touched && !touch_of_finger(patch, p_P, p, v_before, anchor)) {
       ++tally_.unknown;
       known_ = false;
       return;
@@ -192,7 +193,7 @@ class StepAudit {
     if (!slides) faults_.require(anchor.C_O == now.C_O[slot], Name{now.id[slot]}, " sticks, but its anchor moved");
 
     const double mu = slides ? friction.mu_dynamic : friction.mu_static;
-    const Matrix3d R = target.turn * target.R;
+    const Matrix3d& R = target.R;
     const Vector3d n = R * anchor.n_O;
     faults_.bound(beyond(f, n, mu), 1e-12 * f.norm(), tally_.cone, Name{now.id[slot]}, " leaves its cone");
     const Vector3d tangent = f - f.dot(n) * n;
@@ -204,10 +205,8 @@ class StepAudit {
     rounding_energy_ += rounding * (true_end(now, patch, slot).norm() + h_ * (v_p.norm() + target.velocity(p).norm()));
 
     // The element at the solution, as linearised.
-    const Vector3d v_before = (source ? source->velocity_before(p) : share) - target.velocity_before(p);
-    const Vector3d turned = target.turn * v_before - v_before;
-    const Vector3d v = v_before + turned - target.change(p) + (source ? source->change(p) : Vector3d(Vector3d::Zero()));
-    const Vector3d r0 = target.turn * (p - target.at(anchor.C_O) - place * v_before), r = r0 + reach * v;
+    const Vector3d v = v_before - target.change(p) + (source ? source->change(p) : Vector3d(Vector3d::Zero()));
+    const Vector3d r0 = p - target.at(anchor.C_O) - place * v_before, r = r0 + reach * v;
     const Vector3d r1 = r0 + h_ * v;
     const double closing = -v.dot(n), d = -r.dot(n);
     const Vector3d lag = r + d * n, v_t = v + closing * n, pull = k * lag + c * v_t;
@@ -225,7 +224,10 @@ class StepAudit {
     if (scheme.theta == 1) terms_.numerical -= 0.5 * k * h_ * h_ * (closing * closing + stretch.squaredNorm());
     terms_.curving += stored(r1 - moved) - stored(r1 - straight);
     double turning = stored(true_end(now, patch, slot)) - stored(r1 - moved);
-    (source ? turning : turned_) += h_ * f.dot(turned);
+    if (source)
+      turning += h_ * f.dot(v_before - source->velocity_before(p) + target.velocity_before(p));
+    else
+      turned_ += h_ * f.dot(v + target.velocity(p)) - work_of_hand(target, f, h_ * share);
     if (!touched)
       turning -= stored(start_of(patch, slot)) - stored(r0);
     else if (r0.dot(n) >= 0)
@@ -233,6 +235,23 @@ class StepAudit {
     else
       book_appearance(slot, source != nullptr, stored(r0));
     terms_.turning += turning;
+  }
+
+  /// Relative velocity if no velocity changed; in an Euler step that of p as the target sees it, which goes on as it
+  /// does.
+  [[nodiscard]] Vector3d seen_before(const AuditedBody& target, const AuditedBody* source, const Vector3d& p,
+                                     const Vector3d& p1, const Vector3d& share) const {
+    if (target.scheme.place() > 0 || (source && source->scheme.place() > 0))
+      return (source ? source->velocity_before(p) : share) - target.velocity_before(p);
+    const Vector3d end = source ? source->goes_on(p, h_) : p1, moved = target.center + h_ * target.u0;
+    return (target.turn_before(h_).conjugate() * (end - moved) - (p - target.center)) / h_;
+  }
+
+  /// What a hand gave with a force that turns with its body, while its point moved by `way`.
+  [[nodiscard]] double work_of_hand(const AuditedBody& target, const Vector3d& f, const Vector3d& way) const {
+    const Vector3d with = h_ * target.u;  // the centre, which is moved by what the forces sum up to: by no turned one
+    const Eigen::Quaterniond half = rotation_by((target.scheme.place() > 0 ? 0 : 0.5 * h_) * target.w);
+    return f.dot(with) + (half * f).dot(way - with);
   }
 
   /// Friction moves an anchor forward, but for the error of its projection onto the voxels' surface.
