@@ -17,6 +17,8 @@ void resize(Contacts& contacts, std::size_t size) {
   contacts.p_P.resize(size);
   contacts.C_O.resize(size);
   contacts.n_O.resize(size);
+  contacts.from_O.resize(size);
+  contacts.from_n_O.resize(size);
   contacts.f_O.resize(size);
 }
 

@@ -33,7 +33,8 @@ struct Contacts {
   std::vector<Mode> mode{};
   Vector3Array p_P{};         ///< sample point, in the frame of its phalanx or of its own body
   Vector3Array C_O{}, n_O{};  ///< anchor and outward normal there; mean nothing while apart
-  Vector3Array f_O{};         ///< force on the object over the last step, in O as that step saw it: see BodyStep
+  Vector3Array from_O{}, from_n_O{};  ///< those that a sample which slips had in its last step, before it slid
+  Vector3Array f_O{};  ///< force on the object over the last step, in O as that step saw it: see BodyStep
   std::size_t hand_patches{};
 
   [[nodiscard]] std::size_t size() const { return id.size(); }

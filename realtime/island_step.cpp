@@ -31,6 +31,14 @@ bool turns_over(const Slider& s, const Scheme& scheme) {
   return s.tangent.dot(before) > 0 && s.tangent.dot(before + change) < 0;
 }
 
+/// Whether a point of the plane of a face belongs to the face, to a micrometre.
+bool lies_on(const VoxelField& field, const Vector3d& C_O) {
+  const double voxel = field.grid().spacing;
+  if (field.distance(C_O).distance > voxel) return false;  // cheap, and wrong by half a voxel at most
+  const std::optional<SurfacePoint> surface = field.closest(C_O, voxel);
+  return surface && surface->distance <= touching;
+}
+
 }  // namespace
 
 void World::step_island(double h) {
@@ -206,7 +214,9 @@ Role World::role_of_corner(const PatchStep& p, const SlotStep& step, std::size_t
   const double crossed = height > 0 && depth > 0 ? height / (height + depth) : 0;
   const Vector3d at = start + crossed * (to - start);
   anchor.C_O = at - (at - anchor.C_O).dot(anchor.n_O) * anchor.n_O;
-  return depth > -1e-3 * touching ? Role::free : Role::watch;
+  if (lies_on(field, anchor.C_O + aside)) return depth > -1e-3 * touching ? Role::free : Role::watch;
+  // That face ends before: an edge cuts into the body between the sample and where it was looked from.
+  return find_touch(field, start, to, TouchNormal::face, anchor) ? Role::free : Role::idle;
 }
 
 /// Whether any sample touches, lets go, breaks away or sticks again in the solution, or slides back at its end (the
@@ -279,6 +289,8 @@ void World::slip(const PatchStep& p, const Slider& s, const Vector3d& reach, con
   const BodyStep& target = steps_[std::size_t(p.target)];
   const Matrix3d R_OW = target.R.transpose();
   Anchor anchor{contacts_.C_O[s.slot], contacts_.n_O[s.slot]};
+  contacts_.from_O.set(s.slot, anchor.C_O);
+  contacts_.from_n_O.set(s.slot, anchor.n_O);
   if (!slide(*source(p.target).field, anchor.C_O + R_OW * reach, R_OW * step, anchor)) slid_off_.push_back(s.slot);
   contacts_.C_O.set(s.slot, anchor.C_O);
   contacts_.n_O.set(s.slot, anchor.n_O);

@@ -42,10 +42,9 @@ struct EnergyTerms {
 /// What an audit saw; ratios are to what is allowed, so 1 is a fault.
 struct AuditTally {
   long steps{}, forces{}, slides{};
-  long unknown{};   ///< slid as they touched, from an anchor that nobody shows: neither cone nor energy is checked
-  long backward{};  ///< slides that ended behind where they began, on the same side of the body
+  long backward{};                ///< slides that ended behind where they began, on the same side of the body
   long unconverged{}, audited{};  ///< steps; audited: with their energy
-  double momentum{}, cone{}, element{}, energy{};
+  double momentum{}, cone{}, element{}, energy{}, touch{};
   double gain{};        ///< most of kinetic + potential − start − what hands gave, ever [J]
   double excess{};      ///< what the terms added in steps in which they added: no gain is larger [J]
   double growth{};      ///< most of book − start, ever [J]

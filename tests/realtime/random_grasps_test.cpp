@@ -37,11 +37,11 @@ void add(const AuditTally& t, Survey& survey) {
   AuditTally& all = survey.all;
   ++survey.grasps;
   survey.touched += t.forces > 0;
-  for (long AuditTally::*count : {&AuditTally::steps, &AuditTally::forces, &AuditTally::slides, &AuditTally::unknown,
-                                  &AuditTally::backward, &AuditTally::unconverged, &AuditTally::audited})
+  for (long AuditTally::*count : {&AuditTally::steps, &AuditTally::forces, &AuditTally::slides, &AuditTally::backward,
+                                  &AuditTally::unconverged, &AuditTally::audited})
     all.*count += t.*count;
   for (double AuditTally::*worst :
-       {&AuditTally::momentum, &AuditTally::cone, &AuditTally::element, &AuditTally::energy})
+       {&AuditTally::touch, &AuditTally::momentum, &AuditTally::cone, &AuditTally::element, &AuditTally::energy})
     all.*worst = std::max(all.*worst, t.*worst);
   all.terms += t.terms;
   all.excess += t.excess;
@@ -63,12 +63,12 @@ void print(const Survey& s) {
   const AuditTally& t = s.all;
   std::cout << s.grasps << " grasps, " << s.touched << " of them touched; " << t.steps << " sub-steps, " << t.audited
             << " with their energy, " << t.unconverged << " not solved; " << t.forces << " forces, " << t.slides
-            << " of them sliding, " << t.backward << " backwards, " << t.unknown
-            << " unknown\nlargest share of what is allowed: momentum " << t.momentum << ", cone " << t.cone
-            << ", element " << t.element << ", energy " << t.energy << "\nof " << t.throughput << " J: numerical "
-            << t.terms.numerical << ", turning " << t.terms.turning << ", touching " << t.terms.touching
-            << ", appearing " << t.terms.appearing << ", curving " << t.terms.curving << ", in steps that gained "
-            << t.excess << "; largest gain of a grasp " << s.gain << "\n";
+            << " of them sliding, " << t.backward << " backwards\nlargest share of what is allowed: momentum "
+            << t.momentum << ", cone " << t.cone << ", element " << t.element << ", energy " << t.energy << ", touch "
+            << t.touch << "\nof " << t.throughput << " J: numerical " << t.terms.numerical << ", turning "
+            << t.terms.turning << ", touching " << t.terms.touching << ", appearing " << t.terms.appearing
+            << ", curving " << t.terms.curving << ", in steps that gained " << t.excess << "; largest gain of a grasp "
+            << s.gain << "\n";
 }
 
 TEST(RandomGrasps, KeepEveryInvariantInEverySubStep) {
@@ -88,7 +88,7 @@ TEST(RandomGrasps, KeepEveryInvariantInEverySubStep) {
     EXPECT_TRUE(same) << describe(seed, grasp) << ": the twin of one sub-step a frame went another way";
     EXPECT_EQ(twin.tally().fault, "") << describe(seed, grasp);
     add(twin.tally(), survey);
-    if (twin.tally().gain > 0.01 * std::max(twin.tally().throughput, 1e-3) && std::getenv("HANDHOLD_VERBOSE"))
+    if (twin.tally().gain > 1e-6 * std::max(twin.tally().throughput, 1e-3) && std::getenv("HANDHOLD_VERBOSE"))
       std::cout << twin.tally().gain << " J gained of " << twin.tally().throughput << ": " << describe(seed, grasp)
                 << "\n";
     if (twin.tally().backward > 0 && std::getenv("HANDHOLD_VERBOSE"))
@@ -98,7 +98,6 @@ TEST(RandomGrasps, KeepEveryInvariantInEverySubStep) {
   }
   print(survey);
   EXPECT_GT(survey.touched, 0.8 * double(survey.grasps));
-  EXPECT_EQ(survey.all.unknown, 0);
   // Kinetic and potential energy beyond the start and what hands gave, where every sub-step was solved: the audit
   // bounds it by the identity of EnergyTerms; that this is next to nothing is measured: 3e-13 at most in 6000 grasps.
   EXPECT_EQ(survey.gained, 0);
