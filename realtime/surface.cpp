@@ -68,8 +68,10 @@ bool go_on(const VoxelField& field, const Vector3d& stride, Anchor& anchor) {
   Anchor moved;
   if (!follow(field, anchor.C_O + stride, moved)) return false;
   if (moved.n_O.dot(anchor.n_O) < smallest_turn_cosine) return false;
-  const double fell = (moved.C_O - anchor.C_O).norm();
-  if (fell > 2 * stride.norm() + projection_error * field.grid().spacing) return false;
+  const Vector3d way = moved.C_O - anchor.C_O;
+  const double slack = projection_error * field.grid().spacing;
+  if (way.norm() > 2 * stride.norm() + slack) return false;
+  if (way.dot(stride) < -slack * stride.norm()) return false;  // an edge that smooth distances round off
   anchor = moved;
   return true;
 }
