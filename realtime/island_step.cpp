@@ -53,7 +53,7 @@ void World::step_island(double h) {
     return solver_.solve(island_, scheme, steps_, contacts_, moments_, role_, options_.solver);
   };
   SolverReport report = solve();
-  const bool jumps = options_.order == 2 && (!report.converged || changes_mode(scheme));
+  const bool jumps = options_.order == 2 && (!report.converged || turns_unforeseen(scheme) || changes_mode(scheme));
   for (const int body : island_.bodies) jumped_[std::size_t(body)] = jumps;
   if (smooth && jumps) {
     scheme.theta = 1;
@@ -217,6 +217,15 @@ Role World::role_of_corner(const PatchStep& p, const SlotStep& step, std::size_t
   if (lies_on(field, anchor.C_O + aside)) return depth > -1e-3 * touching ? Role::free : Role::watch;
   // That face ends before: an edge cuts into the body between the sample and where it was looked from.
   return find_touch(field, start, to, TouchNormal::face, anchor) ? Role::free : Role::idle;
+}
+
+/// The midpoint rule takes arms and normals in the middle of the step as it was predicted: what turns back and forth
+/// too fast for that would be driven by it.
+bool World::turns_unforeseen(const Scheme& scheme) const {
+  constexpr double slight = 0.01;  // [rad]
+  return std::any_of(island_.bodies.begin(), island_.bodies.end(), [&](int body) {
+    return scheme.place() * steps_[std::size_t(body)].change.tail<3>().norm() > slight;
+  });
 }
 
 /// Whether any sample touches, lets go, breaks away or sticks again in the solution, or slides back at its end (the

@@ -140,6 +140,7 @@ class World {
                                     Anchor& anchor) const;
   [[nodiscard]] Role role_of_corner(const PatchStep& p, const SlotStep& step, std::size_t slot, const Scheme& scheme,
                                     Anchor& anchor) const;
+  [[nodiscard]] bool turns_unforeseen(const Scheme& scheme) const;
   [[nodiscard]] bool changes_mode(const Scheme& scheme) const;
   void finish(const Scheme& scheme);
   void finish_slider(const PatchStep& p, const Slider& s, const Scheme& scheme);

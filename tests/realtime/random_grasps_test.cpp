@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <iostream>
 #include <string>
@@ -8,8 +9,8 @@
 #include "tests/realtime/audited_twin.hpp"
 #include "tests/realtime/random_grasp.hpp"
 
-// Random grasps of one body, every sub-step audited. How many: HANDHOLD_GRASPS; from which seed: HANDHOLD_FIRST_GRASP;
-// with HANDHOLD_VERBOSE those are named that had a sub-step without a solution. All 100 000:
+// Random grasps of one body, every sub-step audited. How many: HANDHOLD_GRASPS; from which seed: HANDHOLD_FIRST_GRASP.
+// All 100 000:
 //
 //   HANDHOLD_GRASPS=100000 ./realtime_test --gtest_filter='RandomGrasps.*'
 //
@@ -29,9 +30,16 @@ long from_environment(const char* name, long otherwise) {
 struct Survey {
   AuditTally all{};
   long grasps{}, touched{};
-  long gained{};  // grasps, all solved, with a body that got 1 % more than what passed through the hands
-  double gain{};  // of a grasp, relative to what passed through its hands, at least 1 mJ
+  double gain{};  // largest relative_gain
 };
+
+/// Kinetic and potential energy beyond the start and what hands gave, relative to what passed through the hands, at
+/// least 1 mJ.
+double relative_gain(const AuditTally& t) { return t.gain / std::max(t.throughput, 1e-3); }
+
+/// The audit's own measure of what hands gave is right to third order in the turn of a step: 1/12 of 0.25 rad
+/// (Options::longest_turn) to the third.
+constexpr double tolerated_gain = 1e-3;
 
 void add(const AuditTally& t, Survey& survey) {
   AuditTally& all = survey.all;
@@ -46,8 +54,7 @@ void add(const AuditTally& t, Survey& survey) {
   all.terms += t.terms;
   all.excess += t.excess;
   all.throughput += t.throughput;
-  survey.gained += t.unconverged == 0 && t.gain > 0.01 * std::max(t.throughput, 1e-3);
-  if (t.unconverged == 0 && t.audited > 0) survey.gain = std::max(survey.gain, t.gain / std::max(t.throughput, 1e-3));
+  survey.gain = std::max(survey.gain, relative_gain(t));
 }
 
 std::string describe(long seed, const RandomGrasp& grasp) {
@@ -71,38 +78,37 @@ void print(const Survey& s) {
             << s.gain << "\n";
 }
 
+/// The first grasps that were found to gain energy (66550; of the second order 92584, which shook for good) and to
+/// slide backwards (68619, 77696), among more than 100 000 of each engine that was.
+constexpr std::array<long, 4> once_faulty{66550, 68619, 77696, 92584};
+
+void play(long seed, const std::vector<GraspObject>& objects, Survey& survey) {
+  RandomGrasp grasp(std::uint64_t(seed), objects);
+  std::vector<std::vector<HandFrame>> before;
+  for (int k = 0; k < 3; ++k) before.push_back(grasp.next_frame());
+  AuditedTwin twin(grasp.scene, grasp.options, grasp.dt, before);
+  bool same = true;
+  for (int k = 1; k <= grasp.frames; ++k) {
+    twin.advance(grasp.next_frame());
+    same = same && twin.agrees();
+  }
+  const AuditTally& t = twin.tally();
+  add(t, survey);
+  EXPECT_TRUE(same) << describe(seed, grasp) << ": the twin of one sub-step a frame went another way";
+  EXPECT_EQ(t.fault, "") << describe(seed, grasp);
+  EXPECT_EQ(t.unconverged, 0) << describe(seed, grasp);
+  EXPECT_EQ(t.backward, 0) << describe(seed, grasp);
+  EXPECT_LE(relative_gain(t), tolerated_gain) << describe(seed, grasp);
+}
+
 TEST(RandomGrasps, KeepEveryInvariantInEverySubStep) {
   const long count = from_environment("HANDHOLD_GRASPS", 300), first = from_environment("HANDHOLD_FIRST_GRASP", 1);
   const std::vector<GraspObject> objects = grasp_objects();
   Survey survey;
-  for (long seed = first; seed < first + count; ++seed) {
-    RandomGrasp grasp(std::uint64_t(seed), objects);
-    std::vector<std::vector<HandFrame>> before;
-    for (int k = 0; k < 3; ++k) before.push_back(grasp.next_frame());
-    AuditedTwin twin(grasp.scene, grasp.options, grasp.dt, before);
-    bool same = true;
-    for (int k = 1; k <= grasp.frames; ++k) {
-      twin.advance(grasp.next_frame());
-      same = same && twin.agrees();
-    }
-    EXPECT_TRUE(same) << describe(seed, grasp) << ": the twin of one sub-step a frame went another way";
-    EXPECT_EQ(twin.tally().fault, "") << describe(seed, grasp);
-    add(twin.tally(), survey);
-    if (twin.tally().gain > 1e-6 * std::max(twin.tally().throughput, 1e-3) && std::getenv("HANDHOLD_VERBOSE"))
-      std::cout << twin.tally().gain << " J gained of " << twin.tally().throughput << ": " << describe(seed, grasp)
-                << "\n";
-    if (twin.tally().backward > 0 && std::getenv("HANDHOLD_VERBOSE"))
-      std::cout << twin.tally().backward << " slides backwards: " << describe(seed, grasp) << "\n";
-    if (twin.tally().unconverged > 0 && std::getenv("HANDHOLD_VERBOSE"))
-      std::cout << twin.tally().unconverged << " sub-steps not solved: " << describe(seed, grasp) << "\n";
-  }
+  for (const long seed : once_faulty) play(seed, objects, survey);
+  for (long seed = first; seed < first + count; ++seed) play(seed, objects, survey);
   print(survey);
   EXPECT_GT(survey.touched, 0.8 * double(survey.grasps));
-  // Kinetic and potential energy beyond the start and what hands gave, where every sub-step was solved: the audit
-  // bounds it by the identity of EnergyTerms; that this is next to nothing is measured: 3e-13 at most in 6000 grasps.
-  EXPECT_EQ(survey.gained, 0);
-  EXPECT_EQ(survey.all.unconverged, 0);
-  EXPECT_EQ(survey.all.backward, 0);
 }
 
 }  // namespace
