@@ -29,10 +29,9 @@ std::vector<std::string> split(const std::string& text) {
 }  // namespace
 
 realtime::Options setting_of(const Options& options, std::string_view scene) {
-  const std::string_view family = scene.substr(0, 2);
-  const bool moves = family == "S3" || family == "S5";
-  return {.substeps = options.substeps > 0 ? options.substeps : (moves ? 4 : 1),
-          .order = options.order > 0 ? options.order : (moves ? 2 : 1)};
+  const bool slides = scene.substr(0, 2) == "S3";
+  return {.substeps = options.substeps > 0 ? options.substeps : (slides ? 4 : 1),
+          .order = options.order > 0 ? options.order : (slides ? 2 : 1)};
 }
 
 std::string text_of(const realtime::Options& setting) {
@@ -88,8 +87,8 @@ Plays the benchmark scenes S1 to S6 (docs/benchmarks.md), tells what a frame cos
   --engines ode    of the peers only these (ode, mujoco, dart)
   --scenes S1,S2   only these
   --rounds N       plays of every scene and engine, interleaved; 5
-  --substeps N     of the real-time path, a frame; 4 for S3 and S5, else 1
-  --order N        of the real-time path: 1 implicit Euler, 2 implicit midpoint; 2 for S3 and S5, else 1
+  --substeps N     of the real-time path, a frame; 4 for S3, else 1
+  --order N        of the real-time path: 1 implicit Euler, 2 implicit midpoint; 2 for S3, else 1
   --frame-rate HZ  90
   --no-timing, --no-quality
   --phases         where the time of a frame of the real-time path goes
