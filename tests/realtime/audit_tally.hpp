@@ -17,9 +17,11 @@ namespace handhold::realtime::testing {
 /// : as linearised), J the inertia at the pose about which the step is linearised (BodyStep):
 ///
 ///   numerical   −½ m |Δu|² − ½ ΔL J⁻¹ ΔL − Σ ½ k (|h v_n|² + |h ė|²): never positive
-///   turning     ½ L1 (I1⁻¹ − J⁻¹) L1 − ½ L0 (I0⁻¹ − J⁻¹) L0 + Σ ½ k ((|r1|² − |r1'|²) − (|r0|² − |r0'|²)):
-///               forces and inertia are those of one orientation, the book knows the true ones. Of second order in the
-///               angle h w of a step, either sign; none of it in a scene where nothing turns
+///   turning     ½ L1 (I1⁻¹ − J⁻¹) L1 − ½ L0 (I0⁻¹ − J⁻¹) L0 + Σ ½ k ((|r1|² − |r1'|²) − (|r0|² − |r0'|²)), and of
+///   pairs
+///               of bodies Σ h f·(what the target sees − what moves straight): inertia, forces and arms are those of
+///               one orientation, the book knows the true ones. Of second order in the angle h w of a step, either
+///               sign; none of it in a scene where nothing turns
 ///   touching    Σ ½ k |r0'|²: a sample that comes in has no energy before, though its spring is measured from where
 ///               it will have touched
 ///   appearing   the same of samples of a body that are inside as the step begins; of a hand's it is booked as its work

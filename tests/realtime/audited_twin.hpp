@@ -21,7 +21,7 @@ class AuditedTwin {
         twin_(scene, twin_options(options, dt)),
         paths_(scene.hands.size(), HandPath(options.longest_bridge)),
         steps_(scene.hands.size()),
-        audit_(scene, twin_options(options, dt)) {
+        audit_(scene) {
     for (const auto& frame : before) {
       for (std::size_t i = 0; i < paths_.size(); ++i) paths_[i].observe(dt, frame[i]);
       if (&frame != &before.back()) world_.observe(dt, frame);

@@ -18,21 +18,18 @@
 
 #include <Eigen/Geometry>
 
-#include "realtime/hand_path.hpp"
 #include "realtime/surface.hpp"
 #include "realtime/world.hpp"
-#include "tests/realtime/audited_body.hpp"
+#include "tests/realtime/audited_sample.hpp"
 
 namespace handhold::realtime::testing {
 
 /// Of one World.
 class StepAudit {
  public:
-  StepAudit(const Scene& scene, const Options& options)
-      : scene_(scene), paths_(scene.hands.size(), HandPath(options.longest_bridge)), moved_(scene.bodies.size()) {}
+  explicit StepAudit(const Scene& scene) : scene_(scene), moved_(scene.bodies.size()) {}
 
   void begin(const World& world, const std::vector<HandFrame>& hands) {
-    for (std::size_t i = 0; i < paths_.size(); ++i) paths_[i].observe(0, hands[i]);
     hands_ = hands;
     start_ = book(world);
     tally_.throughput = world.energy().kinetic;
@@ -52,7 +49,6 @@ class StepAudit {
     tally_.unconverged += world.unconverged() - unconverged;
     solved_ = world.unconverged() == unconverged;
     next_ = &hands;
-    for (std::size_t i = 0; i < paths_.size(); ++i) paths_[i].observe(h, hands[i]);
     audit(world);
     hands_ = hands;
   }
@@ -113,17 +109,17 @@ class StepAudit {
     return audited_body(before, world.bodies()[i], scheme, scene_.gravity, load, before.held(t_ + h_));
   }
 
-  /// Touched in this step, though it may have been in contact before: what slid off an edge is let go as a step begins.
-  [[nodiscard]] bool has_touched(const SampleId& id) const {
-    return std::any_of(events_->begin(), events_->end(),
-                       [&](const Event& e) { return e.kind == EventKind::touch && e.id == id; });
-  }
-
   /// Hand's sample at the start of the step.
   [[nodiscard]] Vector3d hand_point(const PatchSlot& patch, const Vector3d& p_P) const {
     const auto hand = std::size_t(patch.hand);
     const HandFrame& frame = hands_[hand].present ? hands_[hand] : (*next_)[hand];
     return frame.X_WP[std::size_t(patch.phalanx)] * p_P;
+  }
+
+  /// Sample point as the step begins.
+  [[nodiscard]] Vector3d before_point(const PatchSlot& patch, const Vector3d& p_P) const {
+    if (patch.of_body()) return bodies_[std::size_t(patch.phalanx)].X_WO * p_P;
+    return hand_point(patch, p_P);
   }
 
   /// Sample point at the end of the step.
@@ -133,91 +129,103 @@ class StepAudit {
     return (*next_)[std::size_t(patch.hand)].X_WP[phalanx] * p_P;
   }
 
-  void check_sample(const World& world, const PatchSlot& patch, std::size_t slot) {
+  /// A sample as the step was given it; the anchor of one that slides is that from before.
+  [[nodiscard]] AuditedSample sample(const World& world, const PatchSlot& patch, std::size_t slot) const {
     const Contacts& now = world.contacts();
-    AuditedBody& target = moved_[std::size_t(patch.body)];
-    AuditedBody* const source = patch.of_body() ? &moved_[std::size_t(patch.phalanx)] : nullptr;
-    const ContactParameters& contact = source ? scene_.body_contact : scene_.contact;
-    Friction friction = scene_.bodies[std::size_t(patch.body)].friction;
-    if (source) friction = combined(friction, scene_.bodies[std::size_t(patch.phalanx)].friction);
-    const Vector3d f = world.force(slot), p_P = now.p_P[slot];
+    const Body& body = scene_.bodies[std::size_t(patch.body)];
+    AuditedSample s;
+    s.target = &moved_[std::size_t(patch.body)];
+    if (patch.of_body()) s.source = &moved_[std::size_t(patch.phalanx)];
+    const ContactParameters& contact = s.source ? scene_.body_contact : scene_.contact;
+    const Friction friction =
+        s.source ? combined(body.friction, scene_.bodies[std::size_t(patch.phalanx)].friction) : body.friction;
     // Bodies in contact are of one island, and moved by one scheme; a fixed one has none of its own.
-    const Scheme scheme = source && !target.moves ? source->scheme : target.scheme;
-    const double place = scheme.place(), reach = scheme.reach();
-    const Vector3d p0 = source ? bodies_[std::size_t(patch.phalanx)].X_WO * p_P : hand_point(patch, p_P);
-    const Vector3d p1 = after_point(patch, p_P), share = (p1 - p0) / h_;
-    const Vector3d p = source ? source->at(p_P) : Vector3d(p0 + place * share);  // where the step is linearised
-    const Vector3d v_p = source ? source->velocity(p) : share;
-    const Vector3d v_before = seen_before(target, source, p, p1, share);
-    const double k = contact.stiffness, c = contact.damping, slope = k * reach + c;
+    s.scheme = s.source && !s.target->moves ? s.source->scheme : s.target->scheme;
+    s.k = contact.stiffness;
+    s.c = contact.damping;
+    s.slides = now.mode[slot] == Mode::slip;
+    s.mu = s.slides ? friction.mu_dynamic : friction.mu_static;
+    s.p0 = before_point(patch, now.p_P[slot]);
+    s.p1 = after_point(patch, now.p_P[slot]);
+    s.p = s.source ? s.source->at(now.p_P[slot]) : Vector3d(s.p0 + s.scheme.place() * s.share());
+    s.C = s.target->at((s.slides ? now.from_O : now.C_O)[slot]);
+    s.n = s.target->R * (s.slides ? now.from_n_O : now.n_O)[slot];
+    s.f = world.force(slot);
+    return s;
+  }
 
-    // Sums of the momentum balance, and what rounding makes of them: of positions a metre from the origin, times k.
-    target.force += f;
-    target.torque += (p - target.center).cross(f);
-    if (source) source->force -= f;
-    if (source) source->torque -= (p - source->center).cross(f);
-    const double rounding = 4e-15 * (k * (p1.norm() + target.center.norm()) +
-                                     slope * (v_p.norm() + target.velocity(p).norm()) + c / h_ * p1.norm());
-    // Velocities are the ends of sums of momenta, so that they are right to a share of the step's largest.
-    const double speed_rounding = 1e-15 * slope * (target.u.norm() + target.w.norm() * (p - target.center).norm());
-    size_ += h_ * f.norm();
-    noise_ += h_ * rounding;
-    if (!source) power_ += h_ * std::abs(f.dot(v_p));
+  void check_sample(const World& world, const PatchSlot& patch, std::size_t slot) {
+    const AuditedSample s = sample(world, patch, slot);
+    add_force(patch, s);
+    check_anchor(world.contacts(), patch, slot);
+    const Name name{world.contacts().id[slot]};
+    faults_.bound(s.outside_cone(), 1e-12 * s.f.norm(), tally_.cone, name, " leaves its cone");
+    const AuditedElement element(s);
+    faults_.bound((s.f - element.f).norm(), 1e-12 * s.f.norm() + 10 * (s.rounding() + s.speed_rounding()),
+                  tally_.element, name, " breaks its law");
+    add_terms(world.contacts(), patch, slot, s, element);
+  }
+
+  /// To the sums of the momentum balance, and what rounding makes of them.
+  void add_force(const PatchSlot& patch, const AuditedSample& s) {
+    AuditedBody& target = moved_[std::size_t(patch.body)];
+    target.force += s.f;
+    target.torque += (s.p - target.center).cross(s.f);
+    if (s.source) {
+      AuditedBody& source = moved_[std::size_t(patch.phalanx)];
+      source.force -= s.f;
+      source.torque -= (s.p - source.center).cross(s.f);
+    }
+    size_ += h_ * s.f.norm();
+    noise_ += h_ * s.rounding();
+    if (!s.source) power_ += h_ * std::abs(s.f.dot(s.velocity()));
     ++tally_.forces;
+    tally_.slides += s.slides;
+  }
 
-    const bool touched = slot >= contacts_.size() || contacts_.mode[slot] == Mode::apart || has_touched(now.id[slot]);
+  /// An anchor is where it was, or where the sample touched, and slides the way that friction pulls.
+  void check_anchor(const Contacts& now, const PatchSlot& patch, std::size_t slot) {
     const bool slides = now.mode[slot] == Mode::slip;
-    tally_.slides += slides;
-    const Anchor anchor{(slides ? now.from_O : now.C_O)[slot], (slides ? now.from_n_O : now.n_O)[slot]};  // before it
-    if (touched)
+    const Anchor anchor{(slides ? now.from_O : now.C_O)[slot], (slides ? now.from_n_O : now.n_O)[slot]};
+    if (touched(now, slot))
       check_touch(patch, now.id[slot], anchor);
     else
       faults_.require(anchor.C_O == contacts_.C_O[slot] && anchor.n_O == contacts_.n_O[slot], Name{now.id[slot]},
                       slides ? " slides from another anchor than it had" : " sticks, but its anchor moved");
-
-    const double mu = slides ? friction.mu_dynamic : friction.mu_static;
-    const Matrix3d& R = target.R;
-    const Vector3d n = R * anchor.n_O;
-    faults_.bound(beyond(f, n, mu), 1e-12 * f.norm(), tally_.cone, Name{now.id[slot]}, " leaves its cone");
-    const Vector3d tangent = f - f.dot(n) * n;
-
-    const Vector3d moved = R * (now.C_O[slot] - anchor.C_O);
+    if (!slides || now.n_O[slot].dot(anchor.n_O) < 0) return;  // round a rim: forward, and so behind where it began
+    const Vector3d f = now.f_O[slot], tangent = f - f.dot(anchor.n_O) * anchor.n_O;
     const double voxel = scene_.bodies[std::size_t(patch.body)].field->grid().spacing;
-    const bool round_a_rim = (R * now.n_O[slot]).dot(n) < 0;  // forward all the way, and so behind where it began
-    tally_.backward += !round_a_rim && falls_back(tangent, moved, voxel);
-    rounding_energy_ += rounding * (true_end(now, patch, slot).norm() + h_ * (v_p.norm() + target.velocity(p).norm()));
+    tally_.backward += falls_back(tangent, now.C_O[slot] - anchor.C_O, voxel);
+  }
 
-    // The element at the solution, as linearised.
-    const Vector3d v = v_before - target.change(p) + (source ? source->change(p) : Vector3d(Vector3d::Zero()));
-    const Vector3d r0 = p - target.at(anchor.C_O) - place * v_before, r = r0 + reach * v;
-    const Vector3d r1 = r0 + h_ * v;
-    const double closing = -v.dot(n), d = -r.dot(n);
-    const Vector3d lag = r + d * n, v_t = v + closing * n, pull = k * lag + c * v_t;
-    Vector3d law = -(k * d + c * closing) * n + pull, stretch = v_t, straight = Vector3d::Zero();
-    if (slides) {
-      const Vector3d before = lag - reach * v_t, cap = friction.mu_dynamic * (k * d + c * closing) * pull.normalized();
-      law += cap - pull;
-      stretch = ((cap + c / reach * before) / (k + c / reach) - before) / reach;
-      straight = h_ * (v_t - stretch);
-    }
-    faults_.bound((f - law).norm(), 1e-12 * f.norm() + 10 * (rounding + speed_rounding), tally_.element,
-                  Name{now.id[slot]}, " breaks its law");
+  /// See EnergyTerms.
+  void add_terms(const Contacts& now, const PatchSlot& patch, std::size_t slot, const AuditedSample& s,
+                 const AuditedElement& e) {
+    const auto stored = [&](const Vector3d& at) { return 0.5 * s.k * at.squaredNorm(); };
+    const Vector3d end = true_end(now, patch, slot), touched_at = s.slides ? now.from_O[slot] : now.C_O[slot];
+    const Vector3d moved = s.target->R * (now.C_O[slot] - touched_at);
+    rounding_energy_ += s.rounding() * (end.norm() + h_ * (s.velocity().norm() + s.target->velocity(s.p).norm()));
+    if (s.scheme.theta == 1)
+      terms_.numerical -= 0.5 * s.k * h_ * h_ * (e.closing * e.closing + e.stretch.squaredNorm());
+    terms_.curving += stored(e.r1 - moved) - stored(e.r1 - e.slid);
+    terms_.turning += stored(end) - stored(e.r1 - moved);
+    if (s.source)
+      terms_.turning += h_ * s.f.dot(s.seen_before() - s.straight_before());
+    else
+      turned_ += h_ * s.f.dot(e.v + s.target->velocity(s.p)) - s.work_of_hand();
+    if (!touched(now, slot))
+      terms_.turning -= stored(start_of(patch, slot)) - stored(e.r0);
+    else if (e.r0.dot(s.n) >= 0)
+      terms_.touching += stored(e.r0);
+    else
+      book_appearance(slot, s.source != nullptr, stored(e.r0));
+  }
 
-    const auto stored = [k](const Vector3d& at) { return 0.5 * k * at.squaredNorm(); };
-    if (scheme.theta == 1) terms_.numerical -= 0.5 * k * h_ * h_ * (closing * closing + stretch.squaredNorm());
-    terms_.curving += stored(r1 - moved) - stored(r1 - straight);
-    double turning = stored(true_end(now, patch, slot)) - stored(r1 - moved);
-    if (source)
-      turning += h_ * f.dot(v_before - source->velocity_before(p) + target.velocity_before(p));
-    else
-      turned_ += h_ * f.dot(v + target.velocity(p)) - work_of_hand(target, f, h_ * share);
-    if (!touched)
-      turning -= stored(start_of(patch, slot)) - stored(r0);
-    else if (r0.dot(n) >= 0)
-      terms_.touching += stored(r0);
-    else
-      book_appearance(slot, source != nullptr, stored(r0));
-    terms_.turning += turning;
+  /// In this step, though it may have been in contact before: what slid off an edge is let go as a step begins.
+  [[nodiscard]] bool touched(const Contacts& now, std::size_t slot) const {
+    if (slot >= contacts_.size() || contacts_.mode[slot] == Mode::apart) return true;
+    return std::any_of(events_->begin(), events_->end(),
+                       [&](const Event& e) { return e.kind == EventKind::touch && e.id == now.id[slot]; });
   }
 
   /// A sample touches where the surface is: a corner to the micrometre that it is looked for aside, a finger to half a
@@ -227,25 +235,7 @@ class StepAudit {
     const double voxel = field.grid().spacing;
     const std::optional<SurfacePoint> surface = field.closest(anchor.C_O, voxel);
     const double off = surface ? std::abs(surface->distance) : 2 * voxel;
-    faults_.bound(off, patch.of_body() ? 2e-6 : 0.5 * voxel, tally_.touch, Name{id},
-                  " touches beside the surface");
-  }
-
-  /// Relative velocity if no velocity changed; in an Euler step that of p as the target sees it, which goes on as it
-  /// does.
-  [[nodiscard]] Vector3d seen_before(const AuditedBody& target, const AuditedBody* source, const Vector3d& p,
-                                     const Vector3d& p1, const Vector3d& share) const {
-    if (target.scheme.place() > 0 || (source && source->scheme.place() > 0))
-      return (source ? source->velocity_before(p) : share) - target.velocity_before(p);
-    const Vector3d end = source ? source->goes_on(p, h_) : p1, moved = target.center + h_ * target.u0;
-    return (target.turn_before(h_).conjugate() * (end - moved) - (p - target.center)) / h_;
-  }
-
-  /// What a hand gave with a force that turns with its body, while its point moved by `way`.
-  [[nodiscard]] double work_of_hand(const AuditedBody& target, const Vector3d& f, const Vector3d& way) const {
-    const Vector3d with = h_ * target.u;  // the centre, which is moved by what the forces sum up to: by no turned one
-    const Eigen::Quaterniond half = rotation_by((target.scheme.place() > 0 ? 0 : 0.5 * h_) * target.w);
-    return f.dot(with) + (half * f).dot(way - with);
+    faults_.bound(off, patch.of_body() ? 2e-6 : 0.5 * voxel, tally_.touch, Name{id}, " touches beside the surface");
   }
 
   /// Friction moves an anchor forward, but for the error of its projection onto the voxels' surface.
@@ -274,20 +264,12 @@ class StepAudit {
 
   /// p − C as the step begins.
   [[nodiscard]] Vector3d start_of(const PatchSlot& patch, std::size_t slot) const {
-    const Vector3d& p_P = contacts_.p_P[slot];
-    const Vector3d p = patch.of_body() ? bodies_[std::size_t(patch.phalanx)].X_WO * p_P : hand_point(patch, p_P);
-    return p - bodies_[std::size_t(patch.body)].X_WO * contacts_.C_O[slot];
+    return before_point(patch, contacts_.p_P[slot]) - bodies_[std::size_t(patch.body)].X_WO * contacts_.C_O[slot];
   }
 
   /// p − C as it really is after the step.
   [[nodiscard]] Vector3d true_end(const Contacts& now, const PatchSlot& patch, std::size_t slot) const {
     return after_point(patch, now.p_P[slot]) - (*after_)[std::size_t(patch.body)].X_WO * now.C_O[slot];
-  }
-
-  /// How far a force is outside its cone; one that pulls is, too [N].
-  [[nodiscard]] static double beyond(const Vector3d& f, const Vector3d& n, double mu) {
-    const double N = -f.dot(n);
-    return std::max((f + N * n).norm() - mu * N, -N);
   }
 
   /// To the solver's tolerance, 1e-13 of the sizes of all terms (of an island: here of the scene), and rounding.
@@ -348,7 +330,6 @@ class StepAudit {
   const Scene& scene_;
   AuditTally tally_{};
   Faults faults_{tally_};
-  std::vector<HandPath> paths_;
   double h_{}, t_{}, start_{};
   double regained_{}, turned_work_{}, all_rounding_{};  // sums over steps
   double turned_{};  // of a step, what the book's work of hands is more than Σ h f·v_p: it sees v_p turned, too [J]
