@@ -60,14 +60,17 @@ void add_rings(PlanarSlide& s, double torque) {
 }
 
 /// The pivot's springs are stiff, w h = 0.9: to the step they are a constraint, and the swing, which gravity drives
-/// from outside the solve, advances as in semi-implicit Euler: half a sub-step ahead at its speed (R03), else leapfrog,
-/// whose error is (ω h)² (1/8 + ω t/24) of the swing; twice that at these amplitudes.
-Limit swing_limit(double t, double spin) {
+/// from outside the solve, advances as in semi-implicit Euler: as leapfrog would from a spin that is half a sub-step's
+/// change ahead at the start. What that makes of the turn, ½ h α0 ∂angle/∂spin0, is ½ h (spin(t) − spin0 C(t)) with
+/// |C| <= 1 (both solve the linearised equation; R03). Leapfrog's own error is (ω h)² (1/8 + ω t/24) of the swing;
+/// twice that at these amplitudes.
+Limit swing_limit(double t, double spin, double first_spin) {
   const double second_order = 2 * start * std::pow(frequency / 360, 2) * (0.125 + frequency * t / 24);
   return {.value = second_order,
-          .per_substep = 0.51 * std::abs(spin),
+          .per_substep = 0.51 * (std::abs(spin) + std::abs(first_spin)),
           .reason =
-              "half a sub-step times the spin (R03), + twice leapfrog's (w h)^2 (1/8 + w t/24) of the swing at the "
+              "half a sub-step times the spin now and at the start (R03), + twice leapfrog's (w h)^2 (1/8 + w t/24) of "
+              "the swing at the "
               "sub-step 1/360 s: to the step, the stiff pivot is a constraint"};
 }
 
@@ -83,7 +86,7 @@ Expectation angle_at(const PlanarSlide& s, int frame, bool converges) {
           .source = source,
           .measure = {.kind = Measure::Kind::rotation, .axis = axis, .at = t},
           .reference = absolute_reference_limit(),
-          .realtime = swing_limit(t, now.spin),
+          .realtime = swing_limit(t, now.spin, s.spin),
           .converges = converges};
 }
 
@@ -107,7 +110,7 @@ Run braked_run() {
   const double end = 32.0 / 90;
   Run run{.name = "friction torque brakes",
           .scene = [=] { return planar_scene("F03 ring pinch", s, layout(friction), end); }};
-  Limit turned = swing_limit(stop.t, 0);
+  Limit turned = swing_limit(stop.t, 0, 0);
   turned.value += 0.5 * (mass * gravity * arm + torque) / pivot_inertia / (360 * 360);
   turned.reason += "; + the turn in a sub-step at the most torque";
   run.expectations = {angle_at(s, 9, true),
