@@ -43,8 +43,8 @@ struct Distance {
   }
 };
 
-/// Exact place below (or above) the point `axis_O`, whose skin lies `radius` away; a lower bound if the surface is out
-/// of reach.
+/// Exact place below (or above) the point `axis_O`, whose skin lies `radius` away. Out of reach no more is said than
+/// that: other points of the phalanx may be nearer.
 Nearest place_at(const Distance& distance, const Eigen::Vector3d& axis_O, double radius) {
   const double interpolated = distance.field.distance(axis_O).distance;
   const double reach = radius + nearest_reach;
@@ -54,7 +54,7 @@ Nearest place_at(const Distance& distance, const Eigen::Vector3d& axis_O, double
   if (surface) return {surface->distance - radius, axis_O - radius * surface->n_O, axis_O, surface->n_O};
   const Eigen::Vector3d away = axis_O - distance.field.bounds().center();
   const Eigen::Vector3d n = away.norm() > 0 ? away.normalized() : Eigen::Vector3d(Eigen::Vector3d::UnitZ());
-  return {std::max(interpolated, reach) - radius, axis_O - radius * n, axis_O, n};
+  return {nearest_reach, axis_O - radius * n, axis_O, n};
 }
 
 /// The segment a + s u, |s| <= half.
@@ -98,27 +98,27 @@ Nearest nearest_of_capsule(const Capsule& capsule, const Pose& X_OP, const Voxel
   const Segment segment{X_OP.p, X_OP.R * Eigen::Vector3d::UnitZ(), capsule.half_length};
   const double reach = capsule.radius + nearest_reach;
   const double far = field.distance(segment.middle).distance - segment.half;
-  if (segment.half <= 0) return place_at(distance, segment.middle, capsule.radius);
   if (far > reach) {
     Nearest bound = place_at(distance, segment.middle, capsule.radius);
     bound.distance = far - capsule.radius;  // an end may be nearer than the middle by half the length
     return bound;
   }
+  if (segment.half <= 0) return place_at(distance, segment.middle, capsule.radius);
 
-  // A coarse look first: a bent object can be near at several places.
+  // A coarse look first: a bent object can be near at several places, by half a spacing nearer between two looks.
   constexpr int steps = 8;
-  const double spacing = 2 * segment.half / steps;
+  const double spacing = 2 * segment.half / steps, look = reach + 0.5 * spacing;
   double best = infinity, best_s = 0;
   for (int i = 0; i <= steps; ++i) {
     const double s = -segment.half + i * spacing;
-    const double d = distance(segment.at(s), std::min(reach, best + spacing)) + centering * s * s / (2 * segment.half);
+    const double d = distance(segment.at(s), std::min(look, best + spacing)) + centering * s * s / (2 * segment.half);
     if (d < best) best = d, best_s = s;
   }
   const double low = std::max(-segment.half, best_s - spacing), high = std::min(segment.half, best_s + spacing);
   // From the best place the surface is |best| away, so from anywhere in the bracket at most a spacing farther (and the
   // interpolation's error, less than a voxel).
   const double within = std::abs(best) + spacing + field.grid().spacing;
-  const double s = best < reach ? flattest(distance, segment, low, high, within) : best_s;
+  const double s = best < look ? flattest(distance, segment, low, high, within) : best_s;
   return place_at(distance, segment.at(s), capsule.radius);
 }
 
@@ -138,13 +138,16 @@ struct PalmSearch {
   }
   [[nodiscard]] double value(const PalmPoint& p, double cap) const {
     const double x = p.x / half.x(), z = p.z / half.z();
-    return distance(skin(p), cap) + 0.01 * centering * (x * x + z * z);  // at most 0.2 µm
+    return distance(skin(p), cap) + 0.1 * centering * half.norm() * (x * x + z * z);  // at most 0.2 µm
   }
   [[nodiscard]] bool contains(const PalmPoint& p) const {
     const double slack = 1e-12;
     return std::abs(p.x) <= half.x() + slack && std::abs(p.z) <= half.z() + slack;
   }
 };
+
+/// Nearer than this somewhere on the grid, if a point between its nodes is within reach.
+double look(const PalmSearch& search) { return nearest_reach + search.half.norm() / 8; }
 
 /// Best point of a 9 x 9 grid over both faces and the rim.
 PalmPoint coarse(const PalmSearch& search, double& best) {
@@ -157,7 +160,7 @@ PalmPoint coarse(const PalmSearch& search, double& best) {
         const bool rim = i == 0 || i == steps || k == 0 || k == steps;
         if (side == 0 && !rim) continue;
         const PalmPoint p{search.half.x() * (2.0 * i / steps - 1), search.half.z() * (2.0 * k / steps - 1), side};
-        const double d = search.value(p, std::min(nearest_reach, best + spacing));
+        const double d = search.value(p, std::min(look(search), best + spacing));
         if (d < best) best = d, found = p;
       }
     }
@@ -192,7 +195,7 @@ Nearest nearest_of_palm(const PalmBox& box, const Pose& X_OP, const VoxelField& 
   }
   double best = infinity;
   PalmPoint p = coarse(search, best);
-  if (best < nearest_reach) p = refine(search, p, best);
+  if (best < look(search)) p = refine(search, p, best);
   Nearest found = place_at(search.distance, search.skin(p), 0);
   found.axis_O = X_OP * Eigen::Vector3d(p.x, 0, p.z);
   return found;
