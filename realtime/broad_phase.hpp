@@ -36,7 +36,7 @@ class BroadPhase {
   /// Puts box i, of what moves by `motion` a step [m].
   void place(std::size_t i, const Box& box, double motion) {
     boxes_[i] = box;
-    spare_[i] = least_spare + 2 * motion;
+    spare_[i] = least_spare * std::max((box.high - box.low).minCoeff(), 0.0) + 2 * motion;
     outgrown_ = outgrown_ || !rooms_[i].contains(box);
   }
   /// Pairs have to be looked for again.
@@ -62,7 +62,7 @@ class BroadPhase {
   }
 
  private:
-  static constexpr double least_spare = 2e-5;  // less than the gaps between the blocks of a tower [m]
+  static constexpr double least_spare = 5e-4;  // of a box's shortest side: blocks of a tower stand no nearer
 
   /// Variance of the middles. Its rounding depends on the order of boxes, but the pairs are the same for every axis.
   [[nodiscard]] int longest_spread() const {

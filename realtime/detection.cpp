@@ -8,7 +8,7 @@
 namespace handhold::realtime {
 namespace {
 
-constexpr double touching = 1e-6;  // samples this near are looked at, whatever the motion [m]
+constexpr double touching = 3e-5;  // samples this near are looked at, whatever the motion [radii of the smaller body]
 
 Box nowhere() {
   constexpr double far = std::numeric_limits<double>::max();
@@ -91,7 +91,8 @@ void World::place_boxes(double h) {
     const Eigen::Vector3d half = s.R.cwiseAbs() * (0.5 * bounds.sizes());
     const Eigen::Vector3d start = body.X_WO.p + s.R * bounds.center();
     const Eigen::Vector3d move = h * (body.v + free_change(body, s, {.h = h}));
-    broad_phase_.place(i, box_about(start, start + move, half + Eigen::Vector3d::Constant(turn + touching)),
+    broad_phase_.place(i,
+                       box_about(start, start + move, half + Eigen::Vector3d::Constant(turn + touching * body.radius)),
                        move.norm() + turn);
   }
   for (std::size_t i = 0; i < patches_from_.size(); ++i) {
@@ -174,7 +175,8 @@ void World::watch_pair(int a, int b, double h) {
   const Eigen::Vector3d v_A = A.v + longer * changed_[std::size_t(a)], v_B = B.v + longer * changed_[std::size_t(b)];
   // A distance changes by no more than the bodies' points there move against each other; the part of a body's turning
   // that moves a point along the line to its nearest point is that of its own surface, within its radius.
-  const double coming = h * ((v_A - v_B).norm() + A.w.norm() * A.radius + B.w.norm() * B.radius) + touching;
+  const double coming = h * ((v_A - v_B).norm() + A.w.norm() * A.radius + B.w.norm() * B.radius) +
+                        touching * std::min(A.radius, B.radius);
   const double gone = (moved_[std::size_t(a)] - moved_[std::size_t(b)]).norm() + turned_[std::size_t(a)] * A.radius +
                       turned_[std::size_t(b)] * B.radius;
   double clearance = pairs_.clearance(a, b, step_) - gone;

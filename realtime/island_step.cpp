@@ -11,7 +11,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double touching = 1e-6;  // [m]
+constexpr double slightly = 3e-5;  // of a body's thickness: a micrometre of 3 cm
 
 /// Rotation by a unit quaternion, less the identity: exactly zero for a hand that does not turn.
 Matrix3d turn_by(const Eigen::Quaterniond& q) {
@@ -31,12 +31,12 @@ bool turns_over(const Slider& s, const Scheme& scheme) {
   return s.tangent.dot(before) > 0 && s.tangent.dot(before + change) < 0;
 }
 
-/// Whether a point of the plane of a face belongs to the face, to a micrometre.
-bool lies_on(const VoxelField& field, const Vector3d& C_O) {
+/// Whether a point of the plane of a face belongs to the face, to within `slack`.
+bool lies_on(const VoxelField& field, const Vector3d& C_O, double slack) {
   const double voxel = field.grid().spacing;
   if (field.distance(C_O).distance > voxel) return false;  // cheap, and wrong by half a voxel at most
   const std::optional<SurfacePoint> surface = field.closest(C_O, voxel);
-  return surface && surface->distance <= touching;
+  return surface && surface->distance <= slack;
 }
 
 }  // namespace
@@ -205,8 +205,9 @@ Role World::role_of_corner(const PatchStep& p, const SlotStep& step, std::size_t
   const Vector3d inside = X_OS * (contacts_.p_P[slot] - 0.5 * thickness * outward);
   const Vector3d to = free_end(p, step, slot, scheme);
   const Vector3d beyond = to + field.grid().spacing * (X_OS.R * outward);
-  // A corner right on a corner would be missed as often as not: a micrometre towards the middle of the target it hits.
-  const Vector3d aside = touching * (field.bounds().center() - to).normalized();
+  // A corner right on a corner would be missed as often as not: slightly towards the middle of the target it hits.
+  const double slack = slightly * thickness;
+  const Vector3d aside = slack * (field.bounds().center() - to).normalized();
   if (!find_touch(field, inside + aside, beyond + aside, TouchNormal::face, anchor)) return Role::idle;
   // The way from inside is no motion: the anchor lies where the sample's own way crosses that face, or below its start.
   const Vector3d start = X_OS * contacts_.p_P[slot];
@@ -214,7 +215,7 @@ Role World::role_of_corner(const PatchStep& p, const SlotStep& step, std::size_t
   const double crossed = height > 0 && depth > 0 ? height / (height + depth) : 0;
   const Vector3d at = start + crossed * (to - start);
   anchor.C_O = at - (at - anchor.C_O).dot(anchor.n_O) * anchor.n_O;
-  if (lies_on(field, anchor.C_O + aside)) return depth > -1e-3 * touching ? Role::free : Role::watch;
+  if (lies_on(field, anchor.C_O + aside, slack)) return depth > -1e-3 * slack ? Role::free : Role::watch;
   // That face ends before: an edge cuts into the body between the sample and where it was looked from.
   return find_touch(field, start, to, TouchNormal::face, anchor) ? Role::free : Role::idle;
 }
