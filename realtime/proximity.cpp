@@ -46,6 +46,8 @@ std::optional<Pose> Proximity::approach(const VoxelField& field, const Pose& X_O
   if (distance - way >= offset) return std::nullopt;
   // Beyond its reach `nearest` gives a bound and no place.
   const double near = std::min(offset, nearest_reach);
+  // How far the bound reaches is no business of the place that is found.
+  const double most = std::max(5 * offset, way / (most_advances / 2));
   double fraction = 0;
   for (int i = 0; i < most_advances; ++i) {
     const Pose X = between(X_OP, Y_OP, fraction);
@@ -53,7 +55,7 @@ std::optional<Pose> Proximity::approach(const VoxelField& field, const Pose& X_O
     if (distance < near) return X;
     if (fraction >= 1 || distance - (1 - fraction) * way >= offset) return std::nullopt;
     // To where it may be as near as half the offset: the place found there is outside, unless the way ends inside.
-    fraction = std::min(1.0, fraction + std::max(distance - 0.5 * near, least_advance) / way);
+    fraction = std::min(1.0, fraction + std::max(std::min(distance, most) - 0.5 * near, least_advance) / way);
   }
   return std::nullopt;
 }
