@@ -84,6 +84,8 @@ class World {
   [[nodiscard]] long unconverged() const { return unconverged_; }
 
  private:
+  friend struct WorldTwin;  // of the tests: the same world, seen from elsewhere
+
   /// A patch that takes part in a step, and where in the order of sums it stands.
   struct Active {
     int island{};
