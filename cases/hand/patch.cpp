@@ -146,8 +146,8 @@ struct PalmSearch {
   }
 };
 
-/// Nearer than this somewhere on the grid, if a point between its nodes is within reach.
-double look(const PalmSearch& search) { return nearest_reach + search.half.norm() / 8; }
+/// Nearer than this somewhere on the grid of `coarse`, if a point of a face between its nodes is within reach.
+double look(const PalmSearch& search) { return nearest_reach + std::hypot(search.half.x(), search.half.z()) / 8; }
 
 /// Best point of a 9 x 9 grid over both faces and the rim.
 PalmPoint coarse(const PalmSearch& search, double& best) {
@@ -171,6 +171,7 @@ PalmPoint coarse(const PalmSearch& search, double& best) {
 /// Pattern search on the face (or along the rim), halving the step until it is 1e-6 of the palm.
 PalmPoint refine(const PalmSearch& search, PalmPoint p, double best) {
   for (double step = 1.0 / 8; step > resolution;) {
+    if (best - 2 * step * search.half.norm() > nearest_reach) return p;  // nor will it be within reach
     bool moved = false;
     for (const auto& direction : {std::array{1, 0}, std::array{-1, 0}, std::array{0, 1}, std::array{0, -1}}) {
       const PalmPoint q{p.x + direction[0] * step * search.half.x(), p.z + direction[1] * step * search.half.z(),
