@@ -73,11 +73,11 @@ TEST(BroadPhase, MissesNoPairUntilItIsOutgrown) {
   }
 }
 
-/// Room for twice the motion and 0.02 mm on every side: what is farther apart than two rooms is no pair.
+/// Room for twice the motion and 5e-4 of the shortest side: what is farther apart than two rooms is no pair.
 TEST(BroadPhase, FindsNoPairOfBoxesThatAreFarApart) {
   BroadPhase broad_phase;
   broad_phase.resize(3);
-  const double motion = 1e-3, room = 2 * motion + 2e-5;
+  const double motion = 1e-3, room = 2 * motion + 5e-4;
   const Box box{Vector3d::Zero(), Vector3d::Ones()};
   const auto right_of = [&](const Box& other, double gap) {
     const Vector3d shift = (other.high.x() + gap) * Vector3d::UnitX();

@@ -228,14 +228,17 @@ class StepAudit {
                        [&](const Event& e) { return e.kind == EventKind::touch && e.id == now.id[slot]; });
   }
 
-  /// A sample touches where the surface is: a corner to the micrometre that it is looked for aside, a finger to half a
-  /// voxel, where its smooth normal was taken.
+  /// A sample touches where the surface is: a corner to 3e-5 of its body's thickness that it is looked for aside, and as
+  /// much again; a finger to half a voxel, where its smooth normal was taken.
   void check_touch(const PatchSlot& patch, const SampleId& id, const Anchor& anchor) {
     const VoxelField& field = *scene_.bodies[std::size_t(patch.body)].field;
     const double voxel = field.grid().spacing;
     const std::optional<SurfacePoint> surface = field.closest(anchor.C_O, voxel);
     const double off = surface ? std::abs(surface->distance) : 2 * voxel;
-    faults_.bound(off, patch.of_body() ? 2e-6 : 0.5 * voxel, tally_.touch, Name{id}, " touches beside the surface");
+    double allowed = 0.5 * voxel;
+    if (patch.of_body())
+      allowed = 6e-5 * scene_.bodies[std::size_t(patch.phalanx)].field->bounds().sizes().minCoeff();
+    faults_.bound(off, allowed, tally_.touch, Name{id}, " touches beside the surface");
   }
 
   /// Friction moves an anchor forward, but for the error of its projection onto the voxels' surface.
