@@ -11,7 +11,7 @@ using Eigen::Vector3d;
 constexpr double smallest_turn_cosine = 0.5;  // 60 degrees a voxel
 constexpr double most_moves = 64;
 constexpr double projection_error = 0.1;  // of `follow` [voxels]
-constexpr double no_motion = 1e-12;       // a shorter way has no direction [m]
+constexpr double no_motion = 1e-9;        // a shorter way has no direction [voxels]
 
 /// The same at the rim of the grid, where not all neighbours exist: six more queries.
 Vector3d central_differences(const VoxelField& field, const Vector3d& p) {
@@ -144,7 +144,7 @@ bool find_touch(const VoxelField& field, const Vector3d& from_O, const Vector3d&
   const Vector3d way = to_O - from_O;
   const double length = way.norm();
   if (!std::isfinite(length)) return false;
-  if (length > no_motion) {
+  if (length > no_motion * field.grid().spacing) {
     const Vector3d direction = way / length;
     const std::optional<RayHit> hit = field.raycast(from_O, direction, length);
     if (hit && hit->n_O.dot(direction) < 0) {

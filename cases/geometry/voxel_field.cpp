@@ -17,8 +17,8 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector3i;
 
-constexpr double on_surface = 1e-9;  // nearer than this the direction to the query is noise [m]
-constexpr double same_hit = 1e-12;   // hits this near along a ray are one place, seen by two triangles [m]
+constexpr double on_surface = 1e-6;  // nearer than this the direction to the query is noise [voxels]
+constexpr double same_hit = 1e-9;    // hits this near along a ray are one place, seen by two triangles [voxels]
 
 void require(bool holds, const char* what) {
   if (!holds) throw InputError(std::string("voxel field: ") + what + " (voxelize the mesh again)");
@@ -231,7 +231,7 @@ std::optional<SurfacePoint> VoxelField::closest(const Vector3d& p_O, double max_
   const double length = std::sqrt(found.point.squared_distance);
   const Vector3d n = feature_normal(found.triangle, found.point.feature);
   const double side = away.dot(n) < 0 ? -1 : 1;  // angle-weighted normals tell exactly (Baerentzen & Aanaes 2005)
-  const Vector3d out = length > on_surface ? Vector3d(side / length * away) : n;
+  const Vector3d out = length > on_surface * grid().spacing ? Vector3d(side / length * away) : n;
   return SurfacePoint{found.point.p, out, side * length, found.triangle};
 }
 
@@ -267,20 +267,21 @@ std::optional<RayHit> VoxelField::raycast(const Vector3d& origin_O, const Vector
   const WatertightRay ray(origin_O, direction_O);
   double best = t_max;
   int triangle = -1;
+  const double same = same_hit * grid().spacing;
   while (true) {
     const std::size_t at = (std::size_t(cell.z()) * data_.cell_count.y() + cell.y()) * data_.cell_count.x() + cell.x();
     for (std::uint32_t entry = data_.cell_start[at]; entry < data_.cell_start[at + 1]; ++entry) {
       const int id = static_cast<int>(data_.cell_triangles[entry]);
       const double t = ray.crossing(triangles_[id].a, triangles_[id].b, triangles_[id].c);
       if (!(t >= 0 && t <= t_max)) continue;
-      const bool nearer = triangle < 0 || t < best - same_hit;
-      if (!nearer && !(t <= best + same_hit && id < triangle)) continue;
+      const bool nearer = triangle < 0 || t < best - same;
+      if (!nearer && !(t <= best + same && id < triangle)) continue;
       best = nearer ? t : std::min(best, t);
       triangle = id;
     }
     int axis = 0;
     const double wall = next.minCoeff(&axis);
-    if ((triangle >= 0 && best + same_hit <= wall) || wall > leave) break;
+    if ((triangle >= 0 && best + same <= wall) || wall > leave) break;
     cell[axis] += step[axis];
     if (cell[axis] < 0 || cell[axis] >= data_.cell_count[axis]) break;
     next[axis] += pace[axis];

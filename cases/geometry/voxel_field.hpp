@@ -85,7 +85,7 @@ class VoxelField {
   [[nodiscard]] DistanceSample distance(const Eigen::Vector3d& p_O) const;
 
   /// Exact closest surface point within `max_distance`; nothing if there is none. The normal is the direction to the
-  /// query point, or the angle-weighted pseudonormal of the feature when the query lies on the surface (within 1e-9 m).
+  /// query point, or the angle-weighted pseudonormal of the feature when the query lies on the surface (within 1e-6 voxels).
   [[nodiscard]] std::optional<SurfacePoint> closest(const Eigen::Vector3d& p_O, double max_distance) const;
 
   /// First exact hit of the ray `origin_O + t direction_O`, 0 <= t <= t_max; `direction_O` must be unit.
