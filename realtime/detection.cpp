@@ -189,8 +189,8 @@ void World::watch_pair(int a, int b, double h) {
   pairs_.set_clearance(a, b, step_, clearance);
 }
 
-/// Marks the free samples of `from` that can reach `target` when both come nearer by `coming`; `clearance` falls to the
-/// distance of the nearest free one.
+/// Marks the free samples of `from` that can reach `target` when both come nearer by `coming`; `clearance` falls to no
+/// more than the distance of the nearest free one.
 void World::watch_samples(int target, int from, double coming, double& clearance) {
   const std::vector<Eigen::Vector3d>& points = source(from).samples_O;
   if (points.empty()) return;
@@ -206,8 +206,13 @@ void World::watch_samples(int target, int from, double coming, double& clearance
       if (contacts_.mode[slot] != Mode::apart) continue;
     }
     const Eigen::Vector3d p = R * points[i] + X_TS.p;
+    if (const double outside = field.bounds().exteriorDistance(p); outside > coming) {
+      clearance = std::min(clearance, outside);
+      continue;
+    }
     double distance = field.distance(p).distance - interpolation;
-    if (distance <= coming) {
+    // Only where that leaves it open is the surface asked: in a blow most of what is near is so by far.
+    if (distance <= coming && distance + 2 * interpolation > coming) {
       const double within = coming + 2 * interpolation;
       const std::optional<SurfacePoint> surface = field.closest(p, within);
       if (surface)

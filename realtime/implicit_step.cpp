@@ -264,6 +264,7 @@ SolverReport IslandSolver::solve(Island& island, const Scheme& scheme, std::vect
     converged = !evaluate_linear();
     if (converged) break;
     collect(island, scheme, bodies, contacts, moments, role);
+    system_.regroup();
     lap(Phase::sums);
   }
   if (!converged) {  // the best that was found, and what the samples do there

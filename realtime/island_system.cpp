@@ -83,20 +83,21 @@ void IslandSystem::begin(const Island& island, double reach) {
   residual_.resize(island.bodies.size());
   step_.resize(island.bodies.size());
   for (std::size_t i = 0; i < island.bodies.size(); ++i) row_[std::size_t(island.bodies[i])] = int(i);
-  analysed_ = island.bodies.size() < 2;
+  regroup();
 }
 
 void IslandSystem::end(const Island& island) {
   for (const int body : island.bodies) row_[std::size_t(body)] = -1;
 }
 
-/// Once an island, and only if there is anything to solve for.
+/// Once after `regroup`, and only if there is anything to solve for. Most of what is near in a blow does not touch.
 void IslandSystem::analyse(const Island& island) {
   if (analysed_) return;
   analysed_ = true;
   blocks_.begin(int(island.bodies.size()));
   for (const PatchStep& p : island.patches)
-    if (row(p.target) >= 0 && row(p.source) >= 0) blocks_.couple(row(p.target), row(p.source));
+    if ((p.sums.count > 0 || p.slider_count > 0) && row(p.target) >= 0 && row(p.source) >= 0)
+      blocks_.couple(row(p.target), row(p.source));
   blocks_.analyse();
 }
 

@@ -27,6 +27,8 @@ class IslandSystem {
   /// Begins with an island; `end` must follow before the next.
   void begin(const Island& island, double reach);
   void end(const Island& island);
+  /// To be called when patches have got or lost samples that take part.
+  void regroup() { analysed_ = residual_.size() < 2; }
 
   /// Evaluates all sliders and the residual at the present δ; true if that is next to nothing against the sizes of its
   /// terms, `tolerance` times their sum, and their rounding.
