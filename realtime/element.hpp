@@ -40,23 +40,58 @@ struct Trial {
   return r;
 }
 
-/// Force on the object at C and its derivative by v_C: df = −slope dv_C.
+/// `r` of a body that moves at v_C, given that at rest: N and t* only, which are linear, and all that a solve needs.
+inline void move_trial(const ElementStep& s, const Trial& at_rest, const Eigen::Vector3d& v_C, Trial& r) {
+  const double slope = s.h * s.stiffness + s.damping, along = s.n.dot(v_C);
+  r.N = at_rest.N + slope * along;
+  r.t = at_rest.t - slope * (v_C - along * s.n);
+  r.t_norm = r.t.norm();
+}
+
+/// Which part of the element gives way: all that its slope needs to know.
+struct Grip {
+  bool presses{false};  ///< N is in the force
+  bool slips{false};    ///< friction is at its limit
+  double share{1};      ///< |f_t| / |t*|
+  double mu{0};         ///< of the pressure that friction's limit grows with: then the slope is not symmetric
+};
+
+/// Force on the object at C.
 struct ElementForce {
   Eigen::Vector3d f{Eigen::Vector3d::Zero()};        ///< [N]
   Eigen::Vector3d tangent{Eigen::Vector3d::Zero()};  ///< its tangential part [N]
-  Eigen::Matrix3d slope{Eigen::Matrix3d::Zero()};    ///< [N s/m]
-  bool coupled{false};                               ///< friction at its limit μ N: slope is not symmetric
+  Grip grip{};
 };
 
+/// The whole t*: no limit while sticking.
+[[nodiscard]] inline ElementForce sticking_force(const ElementStep& s, const Trial& trial) {
+  return {-trial.N * s.n + trial.t, trial.t, {.presses = true}};
+}
+
 /// Friction limit while sliding: min(|t*|, μ_d N) along t*.
-[[nodiscard]] ElementForce sliding_force(const ElementStep& step, const Trial& trial, double mu_dynamic);
+[[nodiscard]] inline ElementForce sliding_force(const ElementStep& s, const Trial& trial, double mu_dynamic) {
+  const double cap = mu_dynamic * trial.N;
+  if (trial.t_norm <= cap) return sticking_force(s, trial);
+  const double share = cap / trial.t_norm;
+  const Eigen::Vector3d tangent = share * trial.t;
+  return {-trial.N * s.n + tangent, tangent, {.presses = true, .slips = true, .share = share, .mu = mu_dynamic}};
+}
 
 /// Presses as it must and pulls sideways with min(|t*|, cap) along t*, whatever the pressure: the slope of a convex
 /// potential. `cap` >= 0 [N].
-[[nodiscard]] ElementForce capped_force(const ElementStep& step, const Trial& trial, double cap);
+[[nodiscard]] inline ElementForce capped_force(const ElementStep& s, const Trial& trial, double cap) {
+  ElementForce force{.tangent = trial.t, .grip = {.presses = trial.N > 0, .slips = trial.t_norm > cap}};
+  if (force.grip.slips) {
+    force.grip.share = cap / trial.t_norm;
+    force.tangent *= force.grip.share;
+  }
+  force.f = force.tangent;
+  if (force.grip.presses) force.f -= trial.N * s.n;
+  return force;
+}
 
-/// The whole t*: no limit while sticking.
-[[nodiscard]] ElementForce sticking_force(const ElementStep& step, const Trial& trial);
+/// How a force falls with v_C: df = −slope dv_C [N s/m].
+[[nodiscard]] Eigen::Matrix3d slope_of(const ElementStep& step, const Trial& trial, const Grip& grip);
 
 /// Lag at the end of a step that slid with tangential force f_t, from the lag e0 at its start: the radial return
 /// e = (f_t + (c/h) e0) / (k + c/h), from f_t = k e + c (e − e0) / h.

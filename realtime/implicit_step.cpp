@@ -14,9 +14,8 @@ using Eigen::Vector3d;
 /// What touches while it moves sideways faster than its cone opens slides from the start: made to stick first, it would
 /// stop the body, and nothing found from there would be near the solution.
 bool touches_sliding(const Slider& slider, Mode mode, const Friction& friction) {
-  if (mode != Mode::apart) return false;
-  const Trial t = trial(slider.element, Vector3d::Zero());
-  return t.t_norm > friction.mu_static * std::max(t.N, 0.0);
+  const Trial& t = slider.at_rest;
+  return mode == Mode::apart && t.t_norm > friction.mu_static * std::max(t.N, 0.0);
 }
 
 /// Sticking sliders outside the static cone start to slide; true if there was one.
@@ -105,9 +104,8 @@ void IslandSolver::reserve(int bodies) {
 }
 
 /// Makes sliders of all samples that are neither idle nor linear, in the order of slots, and sums the linear ones.
-void IslandSolver::collect(Island& island, const Scheme& scheme, const std::vector<BodyStep>& bodies,
-                           const Contacts& contacts, std::vector<StickMoments>& moments,
-                           const std::vector<Role>& role) const {
+void IslandSolver::collect(Island& island, const std::vector<BodyStep>& bodies, const Samples& samples) {
+  const auto& [scheme, contacts, moments, role] = samples;
   island.sliders.clear();
   for (PatchStep& p : island.patches) {
     const BodyStep& target = bodies[std::size_t(p.target)];
@@ -125,6 +123,7 @@ void IslandSolver::collect(Island& island, const Scheme& scheme, const std::vect
         Slider s;
         s.slot = slot;
         s.element = {p.stiffness.k, p.stiffness.c, scheme.reach(), sample.n, sample.reach, sample.v};
+        s.at_rest = trial(s.element, Vector3d::Zero());
         s.arm = sample.arm;
         s.entering = contacts.mode[slot] == Mode::apart;
         s.sliding = role[slot] == Role::sliding || touches_sliding(s, contacts.mode[slot], p.friction);
@@ -134,28 +133,87 @@ void IslandSolver::collect(Island& island, const Scheme& scheme, const std::vect
     p.slider_count = int(island.sliders.size()) - p.first_slider;
     p.sums = sum_sticking(slots, slots + p.patch_count, p.stiffness, target, moments);
   }
+  system_.regroup(island);
+  lap(Phase::sums);
 }
 
-/// Newton with the cones as they are. It jumps between pieces of the law, so the residual may rise for a while: up to
-/// `patience` steps without a fall to a quarter.
-bool IslandSolver::newton(Island& island, std::vector<BodyStep>& bodies, int patience, bool first) {
-  bool corrected = false;
-  double least = std::numeric_limits<double>::infinity();
-  for (int waits = 0; waits <= patience;) {
-    if (corrected && island.sliders.empty()) return system_.is_finite();  // linear: solved by one step, to rounding
-    const Cones cones = first && !corrected && !island.bodies.empty() ? Cones::touching : Cones::live;
-    const bool balanced = system_.balance(island, bodies, tolerance_, cones);
-    if (cones == Cones::live || island.sliders.empty()) {
+/// Samples whose roles do not suit the present δ get others; true if there was one.
+bool IslandSolver::change_roles(Island& island, const std::vector<BodyStep>& bodies, const Samples& samples) {
+  const auto& [scheme, contacts, moments, role] = samples;
+  lap(Phase::solve);
+  bool any = false;
+  for (PatchStep& p : island.patches) {
+    if (p.sums.count == 0 && !p.watches) continue;
+    Vector3d dv, dw;
+    p.relative(bodies, dv, dw);
+    const BodyStep& target = bodies[std::size_t(p.target)];
+    p.stuck = result_of(p.sums, p.stiffness, dv, dw);
+    SlotStep* const slots = island.slots.data() + p.first_patch;
+    evaluate_sticking(slots, slots + p.patch_count, p.stiffness, p.friction.mu_static, dv, dw, target, role, moments,
+                      contacts);
+    for (const SlotStep* step = slots; step != slots + p.patch_count; ++step) {
+      const PatchSlot& patch = contacts.patches[std::size_t(step->patch)];
+      if (p.watches && step_in(*step, scheme, dv, dw, target, contacts, role)) any = true;
+      if (!step->holds && let_go(patch, p.friction, contacts, moments[std::size_t(step->patch)], role)) any = true;
+    }
+  }
+  lap(Phase::check);
+  return any;
+}
+
+/// Newton with the cones as they are. It jumps between pieces of the law, so the residual may rise at first; later
+/// steps that have it rise are cut. Gives up when it has not fallen to a quarter for some steps.
+///
+/// A solution that takes such steps is not waited for to look at the roles of `samples`, if there are any: those that
+/// do not suit change after the first cut, and whenever the residual has fallen to a tenth.
+bool IslandSolver::newton(Island& island, std::vector<BodyStep>& bodies, const Samples* samples, bool first) {
+  constexpr int whole_steps = 1;
+  constexpr double quarter = 1.0 / 16, tenth = 1.0 / 100;  // of a residual, squared
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const int patience = samples ? 20 : 4;
+  const bool touching = first && !island.bodies.empty() && !island.sliders.empty();
+  bool balanced = system_.balance(island, bodies, tolerance_, touching ? Cones::touching : Cones::live);
+  double least = infinity, look = 0;
+  for (int step = touching ? -1 : 0, waits = 0; waits <= patience; ++step) {
+    const double squared = system_.squared_residual();
+    if (step >= 0) {
       if (balanced) return true;
       remember_best(island, bodies);
-      waits = system_.squared_residual() < least ? 0 : waits + 1;
-      if (waits == 0) least = system_.squared_residual() / 16;
+      waits = squared < least ? 0 : waits + 1;
+      if (waits == 0) least = quarter * squared;
+    }
+    if (samples && squared < look) {
+      look = tenth * squared;
+      if (change_roles(island, bodies, *samples)) {
+        collect(island, bodies, *samples);
+        balanced = system_.balance(island, bodies, tolerance_, Cones::live);
+        best_squared_ = least = infinity;
+        continue;
+      }
     }
     system_.correct(island, bodies);
-    corrected = true;
     ++iterations_;
+    if (island.sliders.empty()) return system_.is_finite();  // linear: solved by one step, to rounding
+    balanced = system_.balance(island, bodies, tolerance_, Cones::live);
+    if (step < whole_steps || balanced || system_.squared_residual() < squared) continue;
+    if (look == 0) look = infinity;
+    balanced = cut_step(squared, island, bodies);
   }
   return false;
+}
+
+/// Shortens the last step until |r|² is less than `before` it, or that is no longer worth while; true if balanced.
+bool IslandSolver::cut_step(double before, Island& island, std::vector<BodyStep>& bodies) {
+  constexpr int most_cuts = 2;
+  constexpr double shorter = 0.3;
+  bool balanced = false;
+  double at = 1;
+  for (int cut = 0; cut < most_cuts && !balanced && !(system_.squared_residual() < before); ++cut) {
+    system_.step_back(island, bodies, (1 - shorter) * at);
+    at *= shorter;
+    balanced = system_.balance(island, bodies, tolerance_, Cones::live);
+  }
+  return balanced;
 }
 
 /// With frozen cones, far enough for the limits to be worth finding anew: down a convex potential, whose slope along a
@@ -163,17 +221,15 @@ bool IslandSolver::newton(Island& island, std::vector<BodyStep>& bodies, int pat
 /// finds a shorter one.
 void IslandSolver::descend(Island& island, std::vector<BodyStep>& bodies) {
   constexpr int most_steps = 60, most_cuts = 30;
-  double enough = 0;
-  for (int i = 0; i < most_steps; ++i) {
-    if (system_.balance(island, bodies, tolerance_, Cones::frozen)) return;
-    if (i == 0) enough = 0.01 * system_.squared_residual();
-    if (system_.squared_residual() < enough) return;
+  bool balanced = system_.balance(island, bodies, tolerance_, Cones::frozen);
+  const double enough = 0.01 * system_.squared_residual();
+  for (int i = 0; i < most_steps && !balanced && !(system_.squared_residual() < enough); ++i) {
     system_.correct(island, bodies);
     ++iterations_;
     const double start = system_.fall();
     double low = 0, high = 1, fall_low = start, fall_high = 0, at = 1;
+    balanced = system_.balance(island, bodies, tolerance_, Cones::frozen);
     for (int cut = 0; cut < most_cuts; ++cut) {
-      (void)system_.balance(island, bodies, tolerance_, Cones::frozen);
       const double fall = system_.fall();
       if (fall >= -0.5 * start && (at == 1 || fall <= 0.5 * start)) break;
       (fall < 0 ? high : low) = at;
@@ -182,6 +238,7 @@ void IslandSolver::descend(Island& island, std::vector<BodyStep>& bodies) {
       const double next = low + share * (high - low);
       system_.step_back(island, bodies, at - next);
       at = next;
+      balanced = system_.balance(island, bodies, tolerance_, Cones::frozen);
     }
   }
 }
@@ -193,10 +250,10 @@ void IslandSolver::remember_best(const Island& island, const std::vector<BodySte
 }
 
 /// δ for the present roles.
-bool IslandSolver::find_balance(Island& island, std::vector<BodyStep>& bodies, bool first) {
-  constexpr int eager = 6, patience = 2, most_freezes = 400, between = 6;
+bool IslandSolver::find_balance(Island& island, std::vector<BodyStep>& bodies, const Samples& samples, bool first) {
+  constexpr int most_freezes = 400, between = 6;
   best_squared_ = std::numeric_limits<double>::infinity();
-  if (newton(island, bodies, eager, first)) return true;
+  if (newton(island, bodies, &samples, first)) return true;
 
   if (!std::isfinite(best_squared_)) return false;  // a body that is not finite
   restore(island, best_, bodies);
@@ -213,7 +270,7 @@ bool IslandSolver::find_balance(Island& island, std::vector<BodyStep>& bodies, b
     if (way.length > goal && freeze % between != 0) continue;
     goal = 0.1 * way.length;
     store(island, bodies, frozen_);
-    if (newton(island, bodies, patience, false)) return true;
+    if (newton(island, bodies, nullptr, false)) return true;
     restore(island, frozen_, bodies);
   }
   return false;
@@ -228,51 +285,24 @@ SolverReport IslandSolver::solve(Island& island, const Scheme& scheme, std::vect
   best_.resize(island.bodies.size());
   frozen_.resize(island.bodies.size());
   system_.begin(island, scheme.reach());
-  collect(island, scheme, bodies, contacts, moments, role);
-  const auto lap = [&](Phase phase) {
-    if (clock_) clock_->lap(phase);
-  };
-  lap(Phase::sums);
-  const auto evaluate_linear = [&] {
-    lap(Phase::solve);
-    bool again = false;
-    for (PatchStep& p : island.patches) {
-      if (p.sums.count == 0 && !p.watches) continue;
-      Vector3d dv, dw;
-      p.relative(bodies, dv, dw);
-      const BodyStep& target = bodies[std::size_t(p.target)];
-      p.stuck = result_of(p.sums, p.stiffness, dv, dw);
-      SlotStep* const slots = island.slots.data() + p.first_patch;
-      evaluate_sticking(slots, slots + p.patch_count, p.stiffness, p.friction.mu_static, dv, dw, target, role, moments,
-                        contacts);
-      for (const SlotStep* step = slots; step != slots + p.patch_count; ++step) {
-        const PatchSlot& patch = contacts.patches[std::size_t(step->patch)];
-        if (p.watches && step_in(*step, scheme, dv, dw, target, contacts, role)) again = true;
-        if (!step->holds && let_go(patch, p.friction, contacts, moments[std::size_t(step->patch)], role)) again = true;
-      }
-    }
-    lap(Phase::check);
-    return again;
-  };
+  const Samples samples{scheme, contacts, moments, role};
+  collect(island, bodies, samples);
   bool converged = false;
   for (int round = 0; round < most_rounds && !converged; ++round) {
-    if (!find_balance(island, bodies, round == 0)) break;
+    if (!find_balance(island, bodies, samples, round == 0)) break;
     if (break_away(island)) {
       for (const Slider& s : island.sliders) role[s.slot] = s.sliding ? Role::sliding : Role::free;
       continue;
     }
-    converged = !evaluate_linear();
-    if (converged) break;
-    collect(island, scheme, bodies, contacts, moments, role);
-    system_.regroup();
-    lap(Phase::sums);
+    converged = !change_roles(island, bodies, samples);
+    if (!converged) collect(island, bodies, samples);
   }
   if (!converged) {  // the best that was found, and what the samples do there
     if (std::isfinite(best_squared_)) restore(island, best_, bodies);
     (void)system_.balance(island, bodies, tolerance_, Cones::live);
-    evaluate_linear();
+    (void)change_roles(island, bodies, samples);
   }
-  system_.end(island);
+  system_.end(island, bodies);
   return {iterations_, converged};
 }
 

@@ -39,11 +39,23 @@ class IslandSolver {
  private:
   using Changes = std::vector<Vector6>;
 
-  void collect(Island& island, const Scheme& scheme, const std::vector<BodyStep>& bodies, const Contacts& contacts,
-               std::vector<StickMoments>& moments, const std::vector<Role>& role) const;
-  [[nodiscard]] bool find_balance(Island& island, std::vector<BodyStep>& bodies, bool first);
-  [[nodiscard]] bool newton(Island& island, std::vector<BodyStep>& bodies, int patience, bool first);
+  /// All samples of an island, whatever their roles.
+  struct Samples {
+    const Scheme& scheme;
+    Contacts& contacts;
+    std::vector<StickMoments>& moments;
+    std::vector<Role>& role;
+  };
+
+  void collect(Island& island, const std::vector<BodyStep>& bodies, const Samples& samples);
+  [[nodiscard]] bool change_roles(Island& island, const std::vector<BodyStep>& bodies, const Samples& samples);
+  [[nodiscard]] bool find_balance(Island& island, std::vector<BodyStep>& bodies, const Samples& samples, bool first);
+  [[nodiscard]] bool newton(Island& island, std::vector<BodyStep>& bodies, const Samples* samples, bool first);
+  [[nodiscard]] bool cut_step(double before, Island& island, std::vector<BodyStep>& bodies);
   void descend(Island& island, std::vector<BodyStep>& bodies);
+  void lap(Phase phase) {
+    if (clock_) clock_->lap(phase);
+  }
   void remember_best(const Island& island, const std::vector<BodyStep>& bodies);
 
   IslandSystem system_{};

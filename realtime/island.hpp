@@ -19,13 +19,13 @@ struct Slider {
   Eigen::Vector3d arm{Eigen::Vector3d::Zero()};  ///< p − centre of mass of its body, in W [m]
   bool sliding{false};                           ///< in: see Role; out: slides
   bool entering{false};                          ///< in: was apart
-  bool presses{false};                           ///< out: has a force
-  bool coupled{false};  ///< out: friction is at its limit and grows with the pressure: slope is not symmetric
+  bool acts{false};                              ///< out: has a force
   double cap{}, way{};  ///< limit of friction while it is frozen, and how far it is from μ N [N]
-  Trial trial{};        ///< out: at the solution
+  Trial at_rest{};      ///< if no velocity changes
+  Trial trial{};        ///< out: at the solution; before `IslandSystem::end` only N and t*
+  Grip grip{};          ///< out
   Eigen::Vector3d f{Eigen::Vector3d::Zero()};        ///< out: force on the object [N]
   Eigen::Vector3d tangent{Eigen::Vector3d::Zero()};  ///< out: its tangential part [N]
-  Eigen::Matrix3d slope{Eigen::Matrix3d::Zero()};    ///< out: −df/dv [N s/m]
 
   [[nodiscard]] double limit(const Friction& friction) const {
     return sliding ? friction.mu_dynamic : friction.mu_static;

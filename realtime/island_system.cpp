@@ -41,22 +41,20 @@ void add_slope(const Vector3d& arm, const Matrix3d& D, Matrix6& S) {
 /// What sticks may, until it is known to hold, pull no harder than its static cone either: else its force would jump
 /// as it lets go, and there might be no solution.
 void evaluate(Slider& slider, const Vector3d& dv, const Friction& friction, Cones cones) {
-  slider.trial = trial(slider.element, dv);
-  slider.presses = slider.trial.N > 0;
+  move_trial(slider.element, slider.at_rest, dv, slider.trial);
+  slider.acts = true;
   ElementForce force;
-  if (cones == Cones::frozen) {
-    slider.presses = true;
+  if (cones == Cones::frozen)
     force = capped_force(slider.element, slider.trial, slider.cap);
-  } else if (slider.presses) {
+  else if (slider.trial.N > 0)
     force = sliding_force(slider.element, slider.trial, slider.limit(friction));
-  } else if (cones == Cones::touching && slider.entering) {
-    slider.presses = true;
+  else if (cones == Cones::touching && slider.entering)
     force = sticking_force(slider.element, slider.trial);
-  }
-  slider.coupled = force.coupled;
+  else
+    slider.acts = false;
+  slider.grip = force.grip;
   slider.f = force.f;
   slider.tangent = force.tangent;
-  slider.slope = force.slope;
 }
 
 }  // namespace
@@ -76,6 +74,7 @@ void IslandSystem::reserve(int bodies) {
   residual_.reserve(std::size_t(bodies));
   step_.reserve(std::size_t(bodies));
   if (bodies > 1) blocks_.reserve(bodies);
+  acting_.reserve(std::size_t(bodies) * std::size_t(bodies));
 }
 
 void IslandSystem::begin(const Island& island, double reach) {
@@ -83,21 +82,41 @@ void IslandSystem::begin(const Island& island, double reach) {
   residual_.resize(island.bodies.size());
   step_.resize(island.bodies.size());
   for (std::size_t i = 0; i < island.bodies.size(); ++i) row_[std::size_t(island.bodies[i])] = int(i);
-  regroup();
 }
 
-void IslandSystem::end(const Island& island) {
+/// Most of what is near in a blow does not touch.
+void IslandSystem::regroup(const Island& island) {
+  acting_.clear();
+  for (std::size_t i = 0; i < island.patches.size(); ++i)
+    if (island.patches[i].sums.count > 0 || island.patches[i].slider_count > 0) acting_.push_back(int(i));
+  analysed_ = island.bodies.size() < 2;
+}
+
+void IslandSystem::end(Island& island, const std::vector<BodyStep>& bodies) {
+  for (const int i : acting_) {
+    const PatchStep& p = island.patches[std::size_t(i)];
+    Vector3d dv, dw;
+    p.relative(bodies, dv, dw);
+    for (int k = p.first_slider; k < p.first_slider + p.slider_count; ++k) {
+      Slider& slider = island.sliders[std::size_t(k)];
+      const Trial all = trial(slider.element, dv + dw.cross(slider.arm));
+      slider.trial.depth = all.depth;
+      slider.trial.lag = all.lag;
+      slider.trial.v_t = all.v_t;
+    }
+  }
   for (const int body : island.bodies) row_[std::size_t(body)] = -1;
 }
 
-/// Once after `regroup`, and only if there is anything to solve for. Most of what is near in a blow does not touch.
+/// Once after `regroup`, and only if there is anything to solve for.
 void IslandSystem::analyse(const Island& island) {
   if (analysed_) return;
   analysed_ = true;
   blocks_.begin(int(island.bodies.size()));
-  for (const PatchStep& p : island.patches)
-    if ((p.sums.count > 0 || p.slider_count > 0) && row(p.target) >= 0 && row(p.source) >= 0)
-      blocks_.couple(row(p.target), row(p.source));
+  for (const int i : acting_) {
+    const int t = row(island.patches[std::size_t(i)].target), s = row(island.patches[std::size_t(i)].source);
+    if (t >= 0 && s >= 0) blocks_.couple(t, s);
+  }
   blocks_.analyse();
 }
 
@@ -122,8 +141,8 @@ bool IslandSystem::balance(Island& island, const std::vector<BodyStep>& bodies, 
     if (!body.change.isZero(0)) residual_[i] -= body.mass * body.change;
     size += reach_ * body.external.norm() + body.momentum.norm();
   }
-  for (PatchStep& p : island.patches) {
-    if (p.sums.count == 0 && p.slider_count == 0) continue;
+  for (const int index : acting_) {
+    const PatchStep& p = island.patches[std::size_t(index)];
     Vector3d dv, dw;
     p.relative(bodies, dv, dw);
     const double s = p.stiffness.slope;
@@ -165,22 +184,21 @@ bool IslandSystem::balance(Island& island, const std::vector<BodyStep>& bodies, 
 bool IslandSystem::add_slopes(const Island& island, const std::vector<BodyStep>& bodies) {
   analyse(island);
   const bool one = island.bodies.size() == 1;
-  const bool symmetric = std::none_of(island.sliders.begin(), island.sliders.end(),
-                                      [](const Slider& s) { return s.presses && s.coupled; });
+  const bool symmetric =
+      std::none_of(island.sliders.begin(), island.sliders.end(), [](const Slider& s) { return s.grip.mu > 0; });
   if (one)
     dense_ = bodies[std::size_t(island.bodies[0])].mass;
   else
     blocks_.clear(symmetric);
   for (std::size_t i = 0; !one && i < island.bodies.size(); ++i)
     blocks_.block(int(i), int(i)) = bodies[std::size_t(island.bodies[i])].mass;
-  for (const PatchStep& p : island.patches) {
-    if (p.sums.count == 0 && p.slider_count == 0) continue;
+  for (const int index : acting_) {
+    const PatchStep& p = island.patches[std::size_t(index)];
     Matrix6 S = Matrix6::Zero();
     if (p.sums.count > 0) S = stick_slope(p);
     for (int i = p.first_slider; i < p.first_slider + p.slider_count; ++i) {
       const Slider& slider = island.sliders[std::size_t(i)];
-      if (!slider.presses) continue;
-      add_slope(slider.arm, slider.slope, S);
+      if (slider.acts) add_slope(slider.arm, slope_of(slider.element, slider.trial, slider.grip), S);
     }
     add_stiffness(p, S);
   }

@@ -26,9 +26,10 @@ class IslandSystem {
 
   /// Begins with an island; `end` must follow before the next.
   void begin(const Island& island, double reach);
-  void end(const Island& island);
-  /// To be called when patches have got or lost samples that take part.
-  void regroup() { analysed_ = residual_.size() < 2; }
+  /// Completes the trials of all sliders.
+  void end(Island& island, const std::vector<BodyStep>& bodies);
+  /// To be called when patches have been given their samples, or others.
+  void regroup(const Island& island);
 
   /// Evaluates all sliders and the residual at the present δ; true if that is next to nothing against the sizes of its
   /// terms, `tolerance` times their sum, and their rounding.
@@ -51,7 +52,8 @@ class IslandSystem {
   [[nodiscard]] int row(int body) const { return body < 0 ? -1 : row_[std::size_t(body)]; }
 
   double reach_{};
-  std::vector<int> row_{};  // of a body in the system, -1: it does not move
+  std::vector<int> acting_{};  // patches with samples that may have a force
+  std::vector<int> row_{};     // of a body in the system, -1: it does not move
   std::vector<Vector6> residual_{}, step_{};
   double squared_{};
   Matrix6 dense_{Matrix6::Zero()};

@@ -67,13 +67,14 @@ TEST(Element, CappedForceFallsFromAConvexPotential) {
     for (const double off : {0.0, 3.0}) {  // pressing, and pulled off
       const Eigen::Vector3d at = v - off * pressed.n;
       const ElementForce force = capped_force(pressed, trial(pressed, at), cap);
-      EXPECT_NEAR((force.slope - force.slope.transpose()).norm(), 0, 1e-15);
-      EXPECT_GE(force.slope.eigenvalues().real().minCoeff(), -1e-15);
+      const Eigen::Matrix3d slope = slope_of(pressed, trial(pressed, at), force.grip);
+      EXPECT_NEAR((slope - slope.transpose()).norm(), 0, 1e-15);
+      EXPECT_GE(slope.eigenvalues().real().minCoeff(), -1e-15);
       for (int i = 0; i < 3; ++i) {
         const Eigen::Vector3d dv = step * Eigen::Vector3d::Unit(i);
         const Eigen::Vector3d up = capped_force(pressed, trial(pressed, at + dv), cap).f;
         const Eigen::Vector3d down = capped_force(pressed, trial(pressed, at - dv), cap).f;
-        EXPECT_NEAR(((up - down) / (2 * step) + force.slope.col(i)).norm(), 0, 1e-8) << cap << " " << off << " " << i;
+        EXPECT_NEAR(((up - down) / (2 * step) + slope.col(i)).norm(), 0, 1e-8) << cap << " " << off << " " << i;
       }
     }
   }
@@ -85,13 +86,25 @@ TEST(Element, SlopesAreTheDerivativesOfTheForces) {
   const double step = 1e-6;  // difference error ~ step² f''' and rounding 1e-16 / step
   for (const double mu : {0.1, 50.0}) {
     const ElementForce at = sliding_force(pressed, trial(pressed, v), mu);
+    const Eigen::Matrix3d slope = slope_of(pressed, trial(pressed, v), at.grip);
     for (int i = 0; i < 3; ++i) {
       const Eigen::Vector3d dv = step * Eigen::Vector3d::Unit(i);
       const Eigen::Vector3d up = sliding_force(pressed, trial(pressed, v + dv), mu).f;
       const Eigen::Vector3d down = sliding_force(pressed, trial(pressed, v - dv), mu).f;
-      EXPECT_NEAR(((up - down) / (2 * step) + at.slope.col(i)).norm(), 0, 1e-8) << mu << " " << i;
+      EXPECT_NEAR(((up - down) / (2 * step) + slope.col(i)).norm(), 0, 1e-8) << mu << " " << i;
     }
   }
+}
+
+/// What a solve moves from rest is what the law says there, to rounding.
+TEST(Element, MovesItsTrialByItsVelocity) {
+  const Eigen::Vector3d v{0.3, -0.2, 0.5};
+  const Trial truth = trial(pressed, v);
+  Trial moved;
+  move_trial(pressed, trial(pressed, Eigen::Vector3d::Zero()), v, moved);
+  EXPECT_NEAR(moved.N, truth.N, 1e-15);
+  EXPECT_NEAR((moved.t - truth.t).norm(), 0, 1e-15);
+  EXPECT_NEAR(moved.t_norm, truth.t_norm, 1e-15);
 }
 
 TEST(Element, RadialReturnKeepsForceAndLagConsistent) {
