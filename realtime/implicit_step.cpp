@@ -162,15 +162,15 @@ bool IslandSolver::change_roles(Island& island, const std::vector<BodyStep>& bod
 }
 
 /// Newton with the cones as they are. It jumps between pieces of the law, so the residual may rise at first; later
-/// steps that have it rise are cut. Gives up when it has not fallen to a quarter for some steps.
+/// steps that have it rise are cut. Gives up when it has not fallen to a half for some steps.
 ///
 /// A solution that takes such steps is not waited for to look at the roles of `samples`, if there are any: those that
 /// do not suit change after the first cut, and whenever the residual has fallen to a tenth.
 bool IslandSolver::newton(Island& island, std::vector<BodyStep>& bodies, const Samples* samples, bool first) {
   constexpr int whole_steps = 1;
-  constexpr double quarter = 1.0 / 16, tenth = 1.0 / 100;  // of a residual, squared
+  constexpr double half = 1.0 / 4, tenth = 1.0 / 100;  // of a residual, squared
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  const int patience = samples ? 20 : 4;
+  const int patience = samples ? 6 : 4;
   const bool touching = first && !island.bodies.empty() && !island.sliders.empty();
   bool balanced = system_.balance(island, bodies, tolerance_, touching ? Cones::touching : Cones::live);
   double least = infinity, look = 0;
@@ -180,7 +180,7 @@ bool IslandSolver::newton(Island& island, std::vector<BodyStep>& bodies, const S
       if (balanced) return true;
       remember_best(island, bodies);
       waits = squared < least ? 0 : waits + 1;
-      if (waits == 0) least = quarter * squared;
+      if (waits == 0) least = half * squared;
     }
     if (samples && squared < look) {
       look = tenth * squared;
