@@ -68,9 +68,17 @@ void World::book_appearance(const Slider& s, const Eigen::Vector3d& start) {
 
 void World::book_sticking(const PatchStep& p, const Scheme& scheme) {
   dissipated_ += scheme.h * p.stiffness.c * p.stuck.squared_v;
-  if (p.source >= 0) return;
-  const Vector6 u = steps_[std::size_t(p.target)].velocity();
-  hand_work_ += scheme.h * (p.stuck.power + p.stuck.force.dot(u.head<3>()) + p.stuck.torque.dot(u.tail<3>()));
+  if (p.source < 0) book_hand(p.target, p.stuck.power, p.stuck.force, p.stuck.torque, scheme);
+}
+
+/// What a hand gives whose force turns with the body by half a step's turn, its mean: to third order in that turn no
+/// work if the hand rests, and none if it is carried round. `power` is that on the motion which the body sees.
+void World::book_hand(int body, double power, const Eigen::Vector3d& force, const Eigen::Vector3d& torque,
+                      const Scheme& scheme) {
+  const Vector6 u = steps_[std::size_t(body)].velocity();
+  const Eigen::Vector3d w = u.tail<3>();
+  const Eigen::Vector3d turned = scheme.place() > 0 ? force : Eigen::Vector3d(rotation_by(0.5 * scheme.h * w) * force);
+  hand_work_ += scheme.h * (power + turned.dot(u.head<3>()) + torque.dot(w));
 }
 
 Eigen::Vector3d World::force(std::size_t slot) const {

@@ -31,12 +31,12 @@ bool turns_over(const Slider& s, const Scheme& scheme) {
   return s.tangent.dot(before) > 0 && s.tangent.dot(before + change) < 0;
 }
 
-/// Whether a point of the plane of a face belongs to the face, to within `slack`.
+/// Whether a point of the plane of a face belongs to the face, which may end at an edge before it, or in a hollow one.
 bool lies_on(const VoxelField& field, const Vector3d& C_O, double slack) {
   const double voxel = field.grid().spacing;
   if (field.distance(C_O).distance > voxel) return false;  // cheap, and wrong by half a voxel at most
   const std::optional<SurfacePoint> surface = field.closest(C_O, voxel);
-  return surface && surface->distance <= slack;
+  return surface && std::abs(surface->distance) <= 1.5 * slack;  // more than the callers step aside
 }
 
 }  // namespace
@@ -195,7 +195,7 @@ Role World::role_of_finger(const PatchStep& p, const SlotStep& step, std::size_t
 
 /// A corner of a body on an edge of another has no nearest face there. The face it comes through is looked for from
 /// inside its own body, where it comes from. What the other contacts of both bodies leave of their motion shows only in
-/// the solution, so one that is near stays on watch.
+/// the solution, so one that is near stays on watch, if it is above the face.
 Role World::role_of_corner(const PatchStep& p, const SlotStep& step, std::size_t slot, const Scheme& scheme,
                            Anchor& anchor) const {
   const VoxelField& field = *source(p.target).field;
@@ -287,8 +287,7 @@ void World::finish_slider(const PatchStep& p, const Slider& s, const Scheme& sch
   }
   dissipated_ += scheme.h * s.element.damping * (closing * closing + stretch.squaredNorm());
   if (p.source < 0) {
-    const Vector6 u = steps_[std::size_t(p.target)].velocity();
-    hand_work_ += scheme.h * s.f.dot(v + u.head<3>() + u.tail<3>().cross(s.arm));
+    book_hand(p.target, s.f.dot(v), s.f, s.arm.cross(s.f), scheme);
     if (s.entering) book_appearance(s, reach - scheme.reach() * v);
   }
   set_mode(s.slot, slides ? Mode::slip : Mode::stick, scheme.h);

@@ -69,9 +69,10 @@ class World {
   /// In the order of the scene.
   [[nodiscard]] const std::vector<RigidBody>& bodies() const { return bodies_; }
   [[nodiscard]] const Contacts& contacts() const { return contacts_; }
-  /// The sample of a slot now: an apart one has its anchor below it, if the surface is near.
+  /// The sample of a slot now, its force turned with the object to where that is now: an apart one has its anchor below
+  /// it, if the surface is near.
   [[nodiscard]] ContactState contact(std::size_t slot) const;
-  /// On the object over the last sub-step, in W [N].
+  /// On the object over the last sub-step, in W, as the balance of momentum has it [N].
   [[nodiscard]] Eigen::Vector3d force(std::size_t slot) const;
   /// Changes of mode since the last `advance` began; times are the ends of sub-steps.
   [[nodiscard]] const std::vector<Event>& events() const { return events_; }
@@ -156,6 +157,8 @@ class World {
   void book_body(int body, const Scheme& scheme);
   void book_appearance(const Slider& s, const Eigen::Vector3d& start);
   void book_sticking(const PatchStep& p, const Scheme& scheme);
+  void book_hand(int body, double power, const Eigen::Vector3d& force, const Eigen::Vector3d& torque,
+                 const Scheme& scheme);
 
   const Scene scene_;
   const Options options_;

@@ -24,8 +24,8 @@ struct Options {
 };
 
 /// What the real-time path plays a scene with. Where nothing else was asked for, what slides (S3) is played with the
-/// second order and 4 sub-steps a frame, since the first order's error is more than the 0.1 % that is asked for; all else
-/// with the first and one (docs/benchmarks.md).
+/// second order and 4 sub-steps a frame, since the first order's error is more than the 0.1 % that is asked for; all
+/// else with the first and one (docs/benchmarks.md).
 [[nodiscard]] realtime::Options setting_of(const Options& options, std::string_view scene);
 [[nodiscard]] std::string text_of(const realtime::Options& setting);
 

@@ -57,13 +57,12 @@ struct AuditedSample {
   }
   [[nodiscard]] Vector3d tangent() const { return f - f.dot(n) * n; }
 
-  /// What a hand gave with a force that turns with its body, while its point moved.
-  [[nodiscard]] double work_of_hand() const {
-    const double h = scheme.h;
-    const Vector3d with = h * target->u;  // the centre, which is moved by what the forces sum up to: by no turned one
-    const Eigen::Quaterniond half = rotation_by((scheme.place() > 0 ? 0 : 0.5 * h) * target->w);
-    return f.dot(with) + (half * f).dot(p1 - p0 - with);
+  /// Its mean over an Euler step: it turns with the body by half of what that turns, for it is that of the start.
+  [[nodiscard]] Vector3d mean_force() const {
+    return rotation_by((scheme.place() > 0 ? 0 : 0.5 * scheme.h) * target->w) * f;
   }
+  /// What a hand gave with it while its point moved: nothing if it rested, to third order nothing if all was turned.
+  [[nodiscard]] double work_of_hand() const { return mean_force().dot(p1 - p0); }
 };
 
 /// Spring, damper and slider of a sample at the solution, as linearised.

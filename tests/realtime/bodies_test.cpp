@@ -233,5 +233,37 @@ TEST(Bodies, AStackOnAPalmIsCarried) {
   EXPECT_NEAR(world.bodies()[1].v.z(), 0.05, 1e-6);
 }
 
+/// A tilted cube comes sideways into the side of a block, a corner 6 mm below the upper edge: from inside the cube, the
+/// corner is behind the block's upper face, whose plane would throw the cube up with energy from nowhere.
+TEST(Bodies, ACornerTouchesTheFaceThatItComesThrough) {
+  Scene scene;
+  scene.name = "sideways";
+  scene.gravity.setZero();
+  Body cube = touching_block({0.06, 0.06, 0.06}, 0.1, 0.06, 0.002);
+  cube.X_WO.R = Eigen::AngleAxisd(0.6, Vector3d::UnitX()) * Eigen::AngleAxisd(0.5, Vector3d::UnitY());
+  cube.V_WO.v = {-0.3, 0, 0};
+  Vector3d lowest = Vector3d::UnitZ();
+  for (const Vector3d& p : cube.samples_O)
+    if ((cube.X_WO.R * p).z() < lowest.z()) lowest = cube.X_WO.R * p;
+  cube.X_WO.p = Vector3d(0.0501, 0, -0.006) - lowest;  // the block's side is x = 0.05
+  scene.bodies = {ground({0.1, 0.1, 0.05}), cube};
+  World world = started(scene, {.substeps = 1}, 1.0 / 90);
+  const double start = world.energy().kinetic;
+  int touches = 0;
+  for (int k = 1; k <= 6; ++k) {
+    world.advance(1.0 / 90, {});
+    for (const Event& event : world.events()) {
+      if (event.kind != EventKind::touch) continue;
+      for (std::size_t slot = 0; slot < world.contacts().size(); ++slot) {
+        if (!(world.contacts().id[slot] == event.id)) continue;
+        ++touches;
+        EXPECT_GT(world.contact(slot).n_W.x(), 0.999) << k;
+      }
+    }
+    EXPECT_LT(world.energy().kinetic, 1.001 * start) << k;
+  }
+  EXPECT_GT(touches, 0);
+}
+
 }  // namespace
 }  // namespace handhold::realtime

@@ -212,13 +212,21 @@ class StepAudit {
     if (s.source)
       terms_.turning += h_ * s.f.dot(s.seen_before() - s.straight_before());
     else
-      turned_ += h_ * s.f.dot(e.v + s.target->velocity(s.p)) - s.work_of_hand();
+      book_hand(s, e);
     if (!touched(now, slot))
       terms_.turning -= stored(start_of(patch, slot)) - stored(e.r0);
     else if (e.r0.dot(s.n) >= 0)
       terms_.touching += stored(e.r0);
     else
       book_appearance(slot, s.source != nullptr, stored(e.r0));
+  }
+
+  /// The book's work of a hand differs from the balance of momentum by how the mean force is not that of the start, and
+  /// from the work on the way of its point by what is of third order.
+  void book_hand(const AuditedSample& s, const AuditedElement& e) {
+    const double turning = h_ * (s.mean_force() - s.f).dot(s.target->u);
+    terms_.turning -= turning;
+    turned_ += h_ * s.f.dot(e.v + s.target->velocity(s.p)) + turning - s.work_of_hand();
   }
 
   /// In this step, though it may have been in contact before: what slid off an edge is let go as a step begins.
@@ -228,8 +236,8 @@ class StepAudit {
                        [&](const Event& e) { return e.kind == EventKind::touch && e.id == now.id[slot]; });
   }
 
-  /// A sample touches where the surface is: a corner to 3e-5 of its body's thickness that it is looked for aside, and as
-  /// much again; a finger to half a voxel, where its smooth normal was taken.
+  /// A sample touches where the surface is: a corner to 3e-5 of its body's thickness that it is looked for aside, and
+  /// half as much again; a finger to half a voxel, where its smooth normal was taken.
   void check_touch(const PatchSlot& patch, const SampleId& id, const Anchor& anchor) {
     const VoxelField& field = *scene_.bodies[std::size_t(patch.body)].field;
     const double voxel = field.grid().spacing;
@@ -237,7 +245,7 @@ class StepAudit {
     const double off = surface ? std::abs(surface->distance) : 2 * voxel;
     double allowed = 0.5 * voxel;
     if (patch.of_body())
-      allowed = 6e-5 * scene_.bodies[std::size_t(patch.phalanx)].field->bounds().sizes().minCoeff();
+      allowed = 7.5e-5 * scene_.bodies[std::size_t(patch.phalanx)].field->bounds().sizes().minCoeff();
     faults_.bound(off, allowed, tally_.touch, Name{id}, " touches beside the surface");
   }
 
@@ -253,8 +261,10 @@ class StepAudit {
     double& lost = lost_[slot];
     const double regained = std::min(lost, stored);
     lost -= regained;
-    regained_ += regained;
-    if (of_body) terms_.appearing += stored;
+    if (of_body)
+      terms_.appearing += stored;
+    else
+      regained_ += regained;
     power_ += stored - regained;
   }
 
@@ -335,7 +345,7 @@ class StepAudit {
   Faults faults_{tally_};
   double h_{}, t_{}, start_{};
   double regained_{}, turned_work_{}, all_rounding_{};  // sums over steps
-  double turned_{};  // of a step, what the book's work of hands is more than Σ h f·v_p: it sees v_p turned, too [J]
+  double turned_{};  // of a step, what the book's work of hands is more than that on the ways of their points [J]
   std::vector<double> lost_{};  // by slot, see book_appearance
   bool solved_{true};
   std::vector<HandFrame> hands_{};

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "cases/catalogue/benchmark_scenes.hpp"
 #include "cases/catalogue/scenes.hpp"
 #include "cases/error.hpp"
 #include "tests/realtime/allocations.hpp"
@@ -371,6 +372,25 @@ TEST(World, RefusesWhatItCannotSimulate) {
   EXPECT_THROW(World(scene, {.longest_turn = 0}), InputError);
   scene.bodies.clear();
   EXPECT_THROW(World(scene, {}), InputError);
+}
+
+/// A cube swings about the tips of two fingers that rest: they give no work. What the book has falls with the third
+/// power of the turn in a step, over all steps with the second of the step.
+TEST(World, AHandAtRestGivesNoWork) {
+  const catalogue::BenchmarkScene swing = catalogue::benchmark_scene("S5a");
+  const double dt = 1.0 / 90;
+  double work[2]{};
+  for (const int i : {0, 1}) {
+    World world = started(swing.scene, {.substeps = i == 0 ? 1 : 4}, dt);
+    for (int k = 1; k <= 180; ++k) {
+      world.advance(dt, frames(swing.scene, k * dt));
+      work[i] = std::max(work[i], std::abs(world.energy().hand_work));
+    }
+  }
+  const double swings = 0.2 * 9.81 * 0.02;  // m g r [J]
+  EXPECT_LT(work[0], 0.25 * swings);
+  EXPECT_LT(work[1], work[0] / 10);
+  EXPECT_LT(work[1], 0.005 * swings);
 }
 
 }  // namespace
