@@ -222,7 +222,8 @@ std::optional<SurfacePoint> VoxelField::closest(const Vector3d& p_O, double max_
   double radius = std::min(farthest, std::isfinite(known) ? known : outside + data_.cell_size);
   Search found = search(p_O, radius);
   while (found.triangle < 0 && radius < farthest) {
-    radius = std::min(farthest, outside + 2 * (radius - outside));
+    const double wider = outside + 2 * (radius - outside);
+    radius = wider > radius ? std::min(farthest, wider) : farthest;  // so far away that a cell is lost in rounding
     found = search(p_O, radius);
   }
   if (found.triangle < 0) return std::nullopt;
@@ -238,6 +239,7 @@ std::optional<SurfacePoint> VoxelField::closest(const Vector3d& p_O, double max_
 // --- ray -------------------------------------------------------------------------------------------------------------
 
 std::optional<RayHit> VoxelField::raycast(const Vector3d& origin_O, const Vector3d& direction_O, double t_max) const {
+  if (!origin_O.allFinite() || !direction_O.allFinite()) return std::nullopt;
   // Clip to the box of cells; it is a little larger than the mesh.
   constexpr double never = std::numeric_limits<double>::infinity();
   const double size = data_.cell_size;

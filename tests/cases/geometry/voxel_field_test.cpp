@@ -1,6 +1,8 @@
 #include "cases/geometry/voxel_field.hpp"
 
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <random>
 #include <string>
 
@@ -205,6 +207,25 @@ TEST_F(BoxField, ClosestOfNothing) {
   EXPECT_FALSE(field_->closest({NAN, 0, 0}, 1));
   EXPECT_FALSE(field_->closest({0, 0, 0}, -1));
   EXPECT_NEAR(field_->closest({100, 0, 0}, 1000)->distance, 99.97, 1e-12);
+}
+
+// Where a run that diverges may ask from: 1e14 m away the next number is 2^-6 m on, more than a cell, so that a search
+// that widens cell by cell would stand still.
+TEST_F(BoxField, ClosestFromVeryFar) {
+  for (const double far : {1e13, 1e14, 1e15, 1e16, 1e100}) {
+    const std::optional<SurfacePoint> found = field_->closest({0, 0, far}, 2 * far);
+    ASSERT_TRUE(found) << far;
+    EXPECT_NEAR(found->distance, far, 1e-15 * far + 0.01);
+  }
+}
+
+TEST_F(BoxField, RayOfNothing) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (const double bad : {double(NAN), infinity, -infinity}) {
+    EXPECT_FALSE(field_->raycast({bad, 0, 0}, {1, 0, 0}, 1));
+    EXPECT_FALSE(field_->raycast({0, 0, 0.1}, {0, bad, -1}, 1));
+  }
+  EXPECT_FALSE(field_->raycast({0, 0, 0.1}, {0, 0, -1}, NAN));
 }
 
 TEST_F(BoxField, DataThatDoesNotFitIsRefused) {
