@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <limits>
 #include <new>
 #include <random>
 
@@ -190,6 +191,25 @@ TEST(PaperVoxels, RaysMeetTheFacesThatTrianglesHave) {
     EXPECT_LT((c->C_O - d->C_O).norm(), 1e-14);
   }
   EXPECT_GT(hits, 1000);
+}
+
+// Where a run that diverges may ask from: 1e8 m are more voxels than an int counts. Both casters again; what they may
+// differ by is what a number of that size is rounded by, a few times over.
+TEST(PaperVoxels, AnswerFromVeryFar) {
+  const auto field = voxelize(make_box({0.0625, 0.03125, 0.046875}), {.voxel_size = 1.0 / 256, .band = 1.0 / 64});
+  const FieldSurface triangles(field, Normals::triangle), voxels(field, Normals::voxel);
+  for (const double far : {1.0, 1e4, 1e8, 1e12}) {
+    const Vector3d from(0.003, 0.002, far), beyond(0.003, 0.002, -far), beside(0.5, 0.002, -far);
+    const double rounding = 8 * far * std::numeric_limits<double>::epsilon();
+    const auto hit = voxels.cast(from, beyond), nearest = voxels.closest(from, 2 * far);
+    ASSERT_TRUE(hit && nearest) << far;
+    EXPECT_LT((hit->C_O - triangles.cast(from, beyond)->C_O).norm(), rounding);
+    EXPECT_EQ(hit->n_O, Vector3d::UnitZ());
+    EXPECT_NEAR((from - nearest->C_O).norm(), (from - triangles.closest(from, 2 * far)->C_O).norm(), rounding);
+    EXPECT_FALSE(voxels.cast(from, beside)) << far;
+    EXPECT_FALSE(voxels.closest(from, 0.02)) << far;
+  }
+  EXPECT_FALSE(voxels.cast({1e308, 0, 0}, {-1e308, 0, 0}));  // its length is no number
 }
 
 // --- the middleware itself -------------------------------------------------------------------------------------------
