@@ -216,7 +216,7 @@ void add_run(CLI::App& app, Invocation& invocation) {
   command->add_option("--out", options->out, "folder for the recordings as CSV, one folder an engine");
   command->footer(
       "Examples:\n  handhold run scene.toml --out recordings\n  handhold run --case C01 --engine realtime\n"
-      "  handhold run --trace pinch-57fps.json.lz --mesh mug.obj --material ceramic\n"
+      "  handhold run --trace pinch-57fps.json.lz --mesh mug.obj --material glass\n"
       "  handhold run --trace pinch-57fps.json.lz --mesh mug.obj --engine realtime --visual-hand whole --out drawn\n"
       "Exit code 1: a run did not get to its end (diverged, stalled, interrupted).");
   command->callback([options, &invocation] { execute(*options, invocation); });

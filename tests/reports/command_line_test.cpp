@@ -114,6 +114,14 @@ TEST_F(CommandLine, ListsWhatThereIs) {
   for (const char* wanted : {"realtime", "wood", "mug"}) EXPECT_NE(rest.out.find(wanted), std::string::npos) << wanted;
 }
 
+TEST_F(CommandLine, HelpNamesAMaterialThatThereIs) {
+  const std::string help = run("run --help").out, option = "mug.obj --material ";
+  const std::size_t name = help.find(option) + option.size();
+  ASSERT_LT(option.size(), name);
+  const std::string material = help.substr(name, help.find('\n', name) - name);
+  EXPECT_NE(run("list --materials").out.find("\n" + material + " "), std::string::npos) << material;
+}
+
 TEST_F(CommandLine, VersionExitsWithZero) { EXPECT_EQ(run("--version").exit_code, 0); }
 
 TEST_F(CommandLine, SuiteWritesAReportThatAgreesWithItsExitCode) {
