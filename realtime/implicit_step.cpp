@@ -166,11 +166,11 @@ bool IslandSolver::change_roles(Island& island, const std::vector<BodyStep>& bod
 ///
 /// A solution that takes such steps is not waited for to look at the roles of `samples`, if there are any: those that
 /// do not suit change after the first cut, and whenever the residual has fallen to a tenth.
-bool IslandSolver::newton(Island& island, std::vector<BodyStep>& bodies, const Samples* samples, bool first) {
+bool IslandSolver::newton(Island& island, std::vector<BodyStep>& bodies, const Samples* samples, int patience,
+                          bool first) {
   constexpr int whole_steps = 1;
   constexpr double half = 1.0 / 4, tenth = 1.0 / 100;  // of a residual, squared
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  const int patience = samples ? 6 : 4;
   const bool touching = first && !island.bodies.empty() && !island.sliders.empty();
   bool balanced = system_.balance(island, bodies, tolerance_, touching ? Cones::touching : Cones::live);
   double least = infinity, look = 0;
@@ -195,7 +195,7 @@ bool IslandSolver::newton(Island& island, std::vector<BodyStep>& bodies, const S
     ++iterations_;
     if (island.sliders.empty()) return system_.is_finite();  // linear: solved by one step, to rounding
     balanced = system_.balance(island, bodies, tolerance_, Cones::live);
-    if (step < whole_steps || balanced || system_.squared_residual() < squared) continue;
+    if (!eager_ || step < whole_steps || balanced || system_.squared_residual() < squared) continue;
     if (look == 0) look = infinity;
     balanced = cut_step(squared, island, bodies);
   }
@@ -251,9 +251,10 @@ void IslandSolver::remember_best(const Island& island, const std::vector<BodySte
 
 /// δ for the present roles.
 bool IslandSolver::find_balance(Island& island, std::vector<BodyStep>& bodies, const Samples& samples, bool first) {
-  constexpr int most_freezes = 400, between = 6;
+  constexpr int between = 6;
+  const int most_freezes = eager_ ? 40 : 400;
   best_squared_ = std::numeric_limits<double>::infinity();
-  if (newton(island, bodies, &samples, first)) return true;
+  if (newton(island, bodies, eager_ ? &samples : nullptr, 6, first)) return true;
 
   if (!std::isfinite(best_squared_)) return false;  // a body that is not finite
   restore(island, best_, bodies);
@@ -270,8 +271,42 @@ bool IslandSolver::find_balance(Island& island, std::vector<BodyStep>& bodies, c
     if (way.length > goal && freeze % between != 0) continue;
     goal = 0.1 * way.length;
     store(island, bodies, frozen_);
-    if (newton(island, bodies, nullptr, false)) return true;
+    if (newton(island, bodies, nullptr, eager_ ? 4 : 2, false)) return true;
     restore(island, frozen_, bodies);
+  }
+  return false;
+}
+
+void IslandSolver::keep_roles(const Island& island, const Samples& samples) {
+  first_role_.clear();
+  for (const SlotStep& step : island.slots) {
+    const PatchSlot& patch = samples.contacts.patches[std::size_t(step.patch)];
+    for (int i = 0; i < patch.count; ++i) first_role_.push_back(samples.role[patch.slot(i)]);
+  }
+}
+
+void IslandSolver::begin_again(Island& island, std::vector<BodyStep>& bodies, const Samples& samples) {
+  std::size_t at = 0;
+  for (const SlotStep& step : island.slots) {
+    const PatchSlot& patch = samples.contacts.patches[std::size_t(step.patch)];
+    for (int i = 0; i < patch.count; ++i) samples.role[patch.slot(i)] = first_role_[at++];
+    samples.moments[std::size_t(step.patch)].stale = true;
+  }
+  for (const int body : island.bodies) bodies[std::size_t(body)].change.setZero();
+}
+
+/// True with a solution that suits all roles.
+bool IslandSolver::attempt(Island& island, std::vector<BodyStep>& bodies, const Samples& samples) {
+  constexpr int most_rounds = 100;
+  collect(island, bodies, samples);
+  for (int round = 0; round < most_rounds; ++round) {
+    if (!find_balance(island, bodies, samples, round == 0)) return false;
+    if (break_away(island)) {
+      for (const Slider& s : island.sliders) samples.role[s.slot] = s.sliding ? Role::sliding : Role::free;
+      continue;
+    }
+    if (!change_roles(island, bodies, samples)) return true;
+    collect(island, bodies, samples);
   }
   return false;
 }
@@ -279,23 +314,19 @@ bool IslandSolver::find_balance(Island& island, std::vector<BodyStep>& bodies, c
 SolverReport IslandSolver::solve(Island& island, const Scheme& scheme, std::vector<BodyStep>& bodies,
                                  Contacts& contacts, std::vector<StickMoments>& moments, std::vector<Role>& role,
                                  const SolverOptions& options) {
-  constexpr int most_rounds = 100;
   tolerance_ = options.tolerance;
   iterations_ = 0;
   best_.resize(island.bodies.size());
   frozen_.resize(island.bodies.size());
   system_.begin(island, scheme.reach());
   const Samples samples{scheme, contacts, moments, role};
-  collect(island, bodies, samples);
-  bool converged = false;
-  for (int round = 0; round < most_rounds && !converged; ++round) {
-    if (!find_balance(island, bodies, samples, round == 0)) break;
-    if (break_away(island)) {
-      for (const Slider& s : island.sliders) role[s.slot] = s.sliding ? Role::sliding : Role::free;
-      continue;
-    }
-    converged = !change_roles(island, bodies, samples);
-    if (!converged) collect(island, bodies, samples);
+  keep_roles(island, samples);
+  eager_ = true;
+  bool converged = attempt(island, bodies, samples);
+  if (!converged) {
+    eager_ = false;
+    begin_again(island, bodies, samples);
+    converged = attempt(island, bodies, samples);
   }
   if (!converged) {  // the best that was found, and what the samples do there
     if (std::isfinite(best_squared_)) restore(island, best_, bodies);

@@ -24,10 +24,16 @@ struct SolverReport {
 /// convex problem that Newton cannot miss, and found anew from its solution, until Newton gets home from there.
 /// At a solution, sticking samples outside the static cone start to slide, samples that pull let go and those on watch
 /// come in: never back within a step, so the rounds end.
+///
+/// A first attempt is eager: it changes roles on the way to a solution, and cuts steps that make things worse. That
+/// takes half the time, but what was let in too early may leave no solution. Then a second one starts from the
+/// beginning.
 class IslandSolver {
  public:
   /// Room for islands of `bodies` bodies in all.
   void reserve(int bodies);
+  /// ... that have `slots` samples in all.
+  void reserve_slots(std::size_t slots) { first_role_.reserve(slots); }
 
   void watch(PhaseClock* clock) { clock_ = clock; }  ///< see World::watch
 
@@ -50,7 +56,11 @@ class IslandSolver {
   void collect(Island& island, const std::vector<BodyStep>& bodies, const Samples& samples);
   [[nodiscard]] bool change_roles(Island& island, const std::vector<BodyStep>& bodies, const Samples& samples);
   [[nodiscard]] bool find_balance(Island& island, std::vector<BodyStep>& bodies, const Samples& samples, bool first);
-  [[nodiscard]] bool newton(Island& island, std::vector<BodyStep>& bodies, const Samples* samples, bool first);
+  [[nodiscard]] bool attempt(Island& island, std::vector<BodyStep>& bodies, const Samples& samples);
+  void keep_roles(const Island& island, const Samples& samples);
+  void begin_again(Island& island, std::vector<BodyStep>& bodies, const Samples& samples);
+  [[nodiscard]] bool newton(Island& island, std::vector<BodyStep>& bodies, const Samples* samples, int patience,
+                            bool first);
   [[nodiscard]] bool cut_step(double before, Island& island, std::vector<BodyStep>& bodies);
   void descend(Island& island, std::vector<BodyStep>& bodies);
   void lap(Phase phase) {
@@ -61,7 +71,9 @@ class IslandSolver {
   IslandSystem system_{};
   double tolerance_{};
   int iterations_{};
-  Changes best_{}, frozen_{};  // δ: of the least residual; of the last frozen problem
+  bool eager_{true};
+  std::vector<Role> first_role_{};  // by slot of the island's patches, in a row
+  Changes best_{}, frozen_{};       // δ: of the least residual; of the last frozen problem
   double best_squared_{};
   PhaseClock* clock_{};
 };

@@ -112,6 +112,7 @@ void World::resize_for_slots() {
   island_.slots.reserve(patches);
   island_.sliders.reserve(slots);
   slid_off_.reserve(slots);
+  solver_.reserve_slots(slots);
   taken_.reserve(std::size_t(options_.substeps) * std::size_t(most_pieces));
   events_.reserve(slots * std::size_t(std::min(options_.substeps, 4)));
 }
