@@ -18,6 +18,13 @@ bool touches_sliding(const Slider& slider, Mode mode, const Friction& friction) 
   return mode == Mode::apart && t.t_norm > friction.mu_static * std::max(t.N, 0.0);
 }
 
+/// Rate of what a damper feels. One that comes in from outside begins where the sample crosses the surface: its impulse
+/// over the step is that of the way inside, c (p − C). So there is no force before the surface is reached.
+Vector3d rate(const Slider& slider, const SampleStep& sample, const Scheme& scheme) {
+  const Vector3d start = sample.reach - scheme.reach() * sample.v;
+  return slider.entering && start.dot(sample.n) > 0 ? Vector3d(sample.reach / scheme.reach()) : sample.v;
+}
+
 /// Sticking sliders outside the static cone start to slide; true if there was one.
 bool break_away(Island& island) {
   bool any = false;
@@ -122,10 +129,11 @@ void IslandSolver::collect(Island& island, const std::vector<BodyStep>& bodies, 
         const SampleStep sample = sample_step(slots[at].motion, target, scheme.lead(), contacts, slot);
         Slider s;
         s.slot = slot;
-        s.element = {p.stiffness.k, p.stiffness.c, scheme.reach(), sample.n, sample.reach, sample.v};
-        s.at_rest = trial(s.element, Vector3d::Zero());
-        s.arm = sample.arm;
         s.entering = contacts.mode[slot] == Mode::apart;
+        s.v = sample.v;
+        s.arm = sample.arm;
+        s.element = {p.stiffness.k, p.stiffness.c, scheme.reach(), sample.n, sample.reach, rate(s, sample, scheme)};
+        s.at_rest = trial(s.element, Vector3d::Zero());
         s.sliding = role[slot] == Role::sliding || touches_sliding(s, contacts.mode[slot], p.friction);
         island.sliders.push_back(s);
       }

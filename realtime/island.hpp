@@ -16,6 +16,7 @@ namespace handhold::realtime {
 struct Slider {
   std::size_t slot{};
   ElementStep element{};
+  Eigen::Vector3d v{Eigen::Vector3d::Zero()};    ///< relative velocity at no change; element.v_p is that of the damper
   Eigen::Vector3d arm{Eigen::Vector3d::Zero()};  ///< p − centre of mass of its body, in W [m]
   bool sliding{false};                           ///< in: see Role; out: slides
   bool entering{false};                          ///< in: was apart

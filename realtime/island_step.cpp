@@ -276,9 +276,9 @@ void World::finish_slider(const PatchStep& p, const Slider& s, const Scheme& sch
   const bool slides = s.sliding && s.trial.t_norm > p.friction.mu_dynamic * s.trial.N;
   Vector3d dv, dw;
   p.relative(steps_, dv, dw);
-  const Vector3d v = s.element.v_p - dv - dw.cross(s.arm);
+  const Vector3d change = dv + dw.cross(s.arm), v = s.v - change;
   const Vector3d reach = s.trial.lag - s.trial.depth * s.element.n;  // p − C at θ h
-  const double closing = -v.dot(s.element.n);
+  const double closing = (change - s.element.v_p).dot(s.element.n);
   Vector3d stretch = s.trial.v_t;  // rate of the lag
   if (slides) {
     const Vector3d before = s.trial.lag - scheme.reach() * s.trial.v_t;

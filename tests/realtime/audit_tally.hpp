@@ -22,8 +22,8 @@ namespace handhold::realtime::testing {
 ///               of bodies Σ h f·(what the target sees − what moves straight): inertia, forces and arms are those of
 ///               one orientation, the book knows the true ones. Of second order in the angle h w of a step, either
 ///               sign; none of it in a scene where nothing turns
-///   touching    Σ ½ k |r0'|²: a sample that comes in has no energy before, though its spring is measured from where
-///               it will have touched
+///   touching    Σ f·r0': the force on a sample that comes in acts over the whole step, on its way outside as well.
+///               Its part along the normal is a loss
 ///   appearing   the same of samples of a body that are inside as the step begins; of a hand's it is booked as its work
 ///   curving     Σ of sliding anchors that follow a curved surface instead of the straight way: of second order in the
 ///               step where it is smooth. Positive where the surface comes up to meet the sample

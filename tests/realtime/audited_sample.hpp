@@ -13,6 +13,7 @@ struct AuditedSample {
   Scheme scheme{};
   double k{}, c{}, mu{};
   bool slides{false};
+  bool touched{false};                                  // in this step
   Vector3d p0{Vector3d::Zero()}, p1{Vector3d::Zero()};  // the sample as the step begins and ends
   Vector3d p{Vector3d::Zero()};                         // where its arm is taken
   Vector3d C{Vector3d::Zero()}, n{Vector3d::Zero()};    // anchor before it slid, and normal there
@@ -68,6 +69,7 @@ struct AuditedSample {
 /// Spring, damper and slider of a sample at the solution, as linearised.
 struct AuditedElement {
   Vector3d v{Vector3d::Zero()};                         // relative velocity
+  bool entered{false};                                  // from outside: its damper feels what is inside of its way
   Vector3d r0{Vector3d::Zero()}, r1{Vector3d::Zero()};  // p − C as the step begins and ends
   double closing{};                                     // −v·n
   Vector3d stretch{Vector3d::Zero()};                   // rate of the lag
@@ -79,10 +81,11 @@ struct AuditedElement {
     v = s.relative();
     r0 = s.p - s.C - place * s.seen_before();
     r1 = r0 + s.scheme.h * v;
-    const Vector3d r = r0 + reach * v;
-    closing = -v.dot(s.n);
+    entered = s.touched && r0.dot(s.n) > 0;
+    const Vector3d r = r0 + reach * v, rate = entered ? Vector3d(r / reach) : v;
+    closing = -rate.dot(s.n);
     const double d = -r.dot(s.n), N = s.k * d + s.c * closing;
-    const Vector3d lag = r + d * s.n, v_t = v + closing * s.n, pull = s.k * lag + s.c * v_t;
+    const Vector3d lag = r + d * s.n, v_t = rate + closing * s.n, pull = s.k * lag + s.c * v_t;
     stretch = v_t;
     f = pull - N * s.n;
     if (!s.slides) return;

@@ -7,7 +7,9 @@
 //   momentum      m (v1 − v0) = h (m g + F + Σ f), L1 − L0 = h (T + Σ a × f), for every body on its own
 //   no adhesion   N >= 0, and no force at all while apart; free flight is the balance of momentum without forces
 //   cone          |f_t| <= μ N (1 + 1e-12), μ_s while it sticks and μ_d while it slides
-//   element       f = k r + c v where it sticks; −N n + μ_d N t*/|t*| where it slides
+//   element       f = k r + c v where it sticks; −N n + μ_d N t*/|t*| where it slides; v = r / h of what comes in,
+//   which
+//                 no force acts on before it touches
 //   anchors       bitwise unmoved while they stick; dissipation never falls
 //   energy        the book is off by the scheme's own, known terms and by nothing else (see EnergyTerms), and so bodies
 //                 never have more than hands gave and those terms added
@@ -144,6 +146,7 @@ class StepAudit {
     s.k = contact.stiffness;
     s.c = contact.damping;
     s.slides = now.mode[slot] == Mode::slip;
+    s.touched = touched(now, slot);
     s.mu = s.slides ? friction.mu_dynamic : friction.mu_static;
     s.p0 = before_point(patch, now.p_P[slot]);
     s.p1 = after_point(patch, now.p_P[slot]);
@@ -159,8 +162,9 @@ class StepAudit {
     add_force(patch, s);
     check_anchor(world.contacts(), patch, slot);
     const Name name{world.contacts().id[slot]};
-    faults_.bound(s.outside_cone(), 1e-12 * s.f.norm(), tally_.cone, name, " leaves its cone");
     const AuditedElement element(s);
+    faults_.require(!element.entered || element.r1.dot(s.n) < 0, name, " is pushed before it touches");
+    faults_.bound(s.outside_cone(), 1e-12 * s.f.norm(), tally_.cone, name, " leaves its cone");
     faults_.bound((s.f - element.f).norm(), 1e-12 * s.f.norm() + 10 * (s.rounding() + s.speed_rounding()),
                   tally_.element, name, " breaks its law");
     add_terms(world.contacts(), patch, slot, s, element);
@@ -213,10 +217,10 @@ class StepAudit {
       terms_.turning += h_ * s.f.dot(s.seen_before() - s.straight_before());
     else
       book_hand(s, e);
-    if (!touched(now, slot))
+    if (!s.touched)
       terms_.turning -= stored(start_of(patch, slot)) - stored(e.r0);
-    else if (e.r0.dot(s.n) >= 0)
-      terms_.touching += stored(e.r0);
+    else if (e.entered)
+      terms_.touching += s.f.dot(e.r0);
     else
       book_appearance(slot, s.source != nullptr, stored(e.r0));
   }
