@@ -23,6 +23,13 @@ Matrix3d turn_by(const Eigen::Quaterniond& q) {
   return turn;
 }
 
+/// Whether a slider that is still outside in the middle of a step, where the midpoint rule looks, is inside at its end.
+bool ends_inside(const Slider& s, const Vector3d& dv, const Vector3d& dw, const Scheme& scheme) {
+  const Vector3d v = s.element.v_p - dv - dw.cross(s.arm);
+  const Vector3d reach = s.trial.lag - s.trial.depth * s.element.n;  // p − C at θ h
+  return (reach + (scheme.h - scheme.reach()) * v).dot(s.element.n) < 0;
+}
+
 /// Whether the lag of a slider ends on its other side: the midpoint rule takes one that is too long by as much too
 /// short, and then back again. So it is after a blow, say, when the pressure that had allowed it is gone.
 bool turns_over(const Slider& s, const Scheme& scheme) {
@@ -229,8 +236,9 @@ bool World::turns_unforeseen(const Scheme& scheme) const {
   });
 }
 
-/// Whether any sample touches, lets go, breaks away or sticks again in the solution, or slides back at its end (the
-/// mean of a step in which sliding stops still slides), or has its lag turned over.
+/// Whether any sample touches (be it in the second half of the step), lets go, breaks away or sticks again in the
+/// solution, or slides back at its end (the mean of a step in which sliding stops still slides), or has its lag turned
+/// over.
 bool World::changes_mode(const Scheme& scheme) const {
   for (const PatchStep& p : island_.patches) {
     Vector3d dv, dw;
@@ -240,6 +248,7 @@ bool World::changes_mode(const Scheme& scheme) const {
       const Mode mode = contacts_.mode[s.slot];
       const bool presses = s.trial.N > 0;
       const bool slides = s.sliding && s.trial.t_norm > p.friction.mu_dynamic * s.trial.N;
+      if (mode == Mode::apart && !presses && ends_inside(s, dv, dw, scheme)) return true;
       const Mode next = !presses ? Mode::apart : slides ? Mode::slip : Mode::stick;
       if (next != mode) return true;
       const Vector3d v_end = s.element.v_p - (dv + dw.cross(s.arm)) / scheme.theta;
