@@ -25,7 +25,7 @@ Matrix3d turn_by(const Eigen::Quaterniond& q) {
 
 /// Whether a slider that is still outside in the middle of a step, where the midpoint rule looks, is inside at its end.
 bool ends_inside(const Slider& s, const Vector3d& dv, const Vector3d& dw, const Scheme& scheme) {
-  const Vector3d v = s.element.v_p - dv - dw.cross(s.arm);
+  const Vector3d v = s.v - dv - dw.cross(s.arm);
   const Vector3d reach = s.trial.lag - s.trial.depth * s.element.n;  // p − C at θ h
   return (reach + (scheme.h - scheme.reach()) * v).dot(s.element.n) < 0;
 }
@@ -251,7 +251,7 @@ bool World::changes_mode(const Scheme& scheme) const {
       if (mode == Mode::apart && !presses && ends_inside(s, dv, dw, scheme)) return true;
       const Mode next = !presses ? Mode::apart : slides ? Mode::slip : Mode::stick;
       if (next != mode) return true;
-      const Vector3d v_end = s.element.v_p - (dv + dw.cross(s.arm)) / scheme.theta;
+      const Vector3d v_end = s.v - (dv + dw.cross(s.arm)) / scheme.theta;
       if (slides && s.tangent.dot(v_end) < 0) return true;
       if (slides && turns_over(s, scheme)) return true;
     }

@@ -106,5 +106,22 @@ TEST(Order, LoadsActAndGiveTheirWork) {
   EXPECT_NEAR(book[1][0], 0, 1e-15);  // the middle's velocity times the force is the kinetic energy's change
 }
 
+/// The midpoint rule looks in the middle of a step: what is inside only at its end has touched, too.
+TEST(Order, TwoTouchesInTheSecondHalfOfAStep) {
+  for (int i = 0; i < 20; ++i) {
+    Scene scene;
+    scene.name = "fall";
+    scene.bodies = {ground(), touching_block({0.04, 0.04, 0.04}, 0.1, 0.02)};
+    scene.bodies[1].X_WO.p.z() = 0.02 + 0.02 + 0.001 * i;
+    World world = started(scene, {.substeps = 1, .order = 2}, 1.0 / 90);
+    for (int k = 1; k <= 20; ++k) {
+      world.advance(1.0 / 90, {});
+      bool touches = false;
+      for (const Mode mode : world.contacts().mode) touches = touches || mode != Mode::apart;
+      EXPECT_TRUE(touches || world.bodies()[1].X_WO.p.z() > 0.02 - 1e-9) << i << ", frame " << k;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace handhold::realtime
