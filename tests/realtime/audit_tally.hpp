@@ -46,7 +46,7 @@ struct AuditTally {
   long steps{}, forces{}, slides{};
   long backward{};                ///< slides that ended behind where they began, on the same side of the body
   long unconverged{}, audited{};  ///< steps; audited: with their energy
-  double momentum{}, cone{}, element{}, energy{}, touch{};
+  double momentum{}, cone{}, element{}, energy{}, touch{}, way_in{};
   double gain{};        ///< most of kinetic + potential − start − what hands gave, ever [J]
   double excess{};      ///< what the terms added in steps in which they added: no gain is larger [J]
   double growth{};      ///< most of book − start, ever [J]

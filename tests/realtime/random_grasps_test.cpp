@@ -48,8 +48,8 @@ void add(const AuditTally& t, Survey& survey) {
   for (long AuditTally::*count : {&AuditTally::steps, &AuditTally::forces, &AuditTally::slides, &AuditTally::backward,
                                   &AuditTally::unconverged, &AuditTally::audited})
     all.*count += t.*count;
-  for (double AuditTally::*worst :
-       {&AuditTally::touch, &AuditTally::momentum, &AuditTally::cone, &AuditTally::element, &AuditTally::energy})
+  for (double AuditTally::*worst : {&AuditTally::touch, &AuditTally::way_in, &AuditTally::momentum, &AuditTally::cone,
+                                    &AuditTally::element, &AuditTally::energy})
     all.*worst = std::max(all.*worst, t.*worst);
   all.terms += t.terms;
   all.excess += t.excess;
@@ -72,10 +72,10 @@ void print(const Survey& s) {
             << " with their energy, " << t.unconverged << " not solved; " << t.forces << " forces, " << t.slides
             << " of them sliding, " << t.backward << " backwards\nlargest share of what is allowed: momentum "
             << t.momentum << ", cone " << t.cone << ", element " << t.element << ", energy " << t.energy << ", touch "
-            << t.touch << "\nof " << t.throughput << " J: numerical " << t.terms.numerical << ", turning "
-            << t.terms.turning << ", touching " << t.terms.touching << ", appearing " << t.terms.appearing
-            << ", curving " << t.terms.curving << ", in steps that gained " << t.excess << "; largest gain of a grasp "
-            << s.gain << "\n";
+            << t.touch << ", way in " << t.way_in << "\nof " << t.throughput << " J: numerical " << t.terms.numerical
+            << ", turning " << t.terms.turning << ", touching " << t.terms.touching << ", appearing "
+            << t.terms.appearing << ", curving " << t.terms.curving << ", in steps that gained " << t.excess
+            << "; largest gain of a grasp " << s.gain << "\n";
 }
 
 /// The first grasps that were found to gain energy (66550; of the second order 92584, which shook for good) and to

@@ -191,11 +191,13 @@ class StepAudit {
   void check_anchor(const Contacts& now, const PatchSlot& patch, std::size_t slot) {
     const bool slides = now.mode[slot] == Mode::slip;
     const Anchor anchor{(slides ? now.from_O : now.C_O)[slot], (slides ? now.from_n_O : now.n_O)[slot]};
-    if (touched(now, slot))
+    if (touched(now, slot)) {
       check_touch(patch, now.id[slot], anchor);
-    else
+      if (!patch.of_body()) check_way_in(patch, now.p_P[slot], now.id[slot], anchor);
+    } else {
       faults_.require(anchor.C_O == contacts_.C_O[slot] && anchor.n_O == contacts_.n_O[slot], Name{now.id[slot]},
                       slides ? " slides from another anchor than it had" : " sticks, but its anchor moved");
+    }
     if (!slides || now.n_O[slot].dot(anchor.n_O) < 0) return;  // round a rim: forward, and so behind where it began
     const Vector3d f = now.f_O[slot], tangent = f - f.dot(anchor.n_O) * anchor.n_O;
     const double voxel = scene_.bodies[std::size_t(patch.body)].field->grid().spacing;
@@ -223,6 +225,28 @@ class StepAudit {
       terms_.touching += s.f.dot(e.r0);
     else
       book_appearance(slot, s.source != nullptr, stored(e.r0));
+  }
+
+  /// A finger touches where its way through the step, as nothing but gravity and loads would have it, comes in. One
+  /// that was not there before comes from elsewhere.
+  void check_way_in(const PatchSlot& patch, const Vector3d& p_P, const SampleId& id, const Anchor& anchor) {
+    if (!hands_[std::size_t(patch.hand)].present) return;
+    AuditedSample s;
+    s.target = &moved_[std::size_t(patch.body)];
+    s.scheme = s.target->scheme;
+    s.p0 = hand_point(patch, p_P);
+    s.p1 = after_point(patch, p_P);
+    s.p = s.p0 + s.scheme.place() * s.share();
+    const AuditedBody& body = *s.target;
+    const Vector3d fall = body.moves ? Vector3d(h_ * h_ / body.mass * body.load) : Vector3d(Vector3d::Zero());
+    const Vector3d end = s.p + (h_ - s.scheme.place()) * s.seen_before() - fall;
+    const Vector3d to = body.R.transpose() * (end - body.center) + body.center_O;
+    const Vector3d from = bodies_[std::size_t(patch.body)].X_WO.inverse() * s.p0;
+    Anchor expected;
+    const VoxelField& field = *scene_.bodies[std::size_t(patch.body)].field;
+    faults_.require(find_touch(field, from, to, TouchNormal::smooth, expected), Name{id}, " touches out of reach");
+    faults_.bound((expected.C_O - anchor.C_O).norm(), 1e-9, tally_.way_in, Name{id}, " touches off its way");
+    faults_.bound((expected.n_O - anchor.n_O).norm(), 1e-6, tally_.way_in, Name{id}, " touches another face");
   }
 
   /// The book's work of a hand differs from the balance of momentum by how the mean force is not that of the start, and
