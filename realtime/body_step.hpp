@@ -26,7 +26,7 @@ struct Scheme {
 /// free body keeps it to the last bit but rounding.
 struct BodyStep {
   Pose X_WO{};                                              ///< at the start
-  Eigen::Matrix3d R{Eigen::Matrix3d::Identity()};           ///< of O in W, likewise
+  Eigen::Matrix3d R{Eigen::Matrix3d::Identity()};           ///< of O in W, at `place`
   Eigen::Vector3d center{Eigen::Vector3d::Zero()};          ///< at `place`, predicted as if it went on as it does, in W
   Eigen::Vector3d arm_O{Eigen::Vector3d::Zero()};           ///< from O's origin to the centre, R center_O
   Eigen::Quaterniond turn{Eigen::Quaterniond::Identity()};  ///< exp(h ω): of the step, if it went on as it does

@@ -20,12 +20,13 @@ namespace handhold::realtime {
 struct Options {
   int substeps{4};  ///< a frame, 1 to 1000
   /// 1: implicit Euler. 2: implicit midpoint, but implicit Euler for bodies in a step in which one of their contacts
-  /// changes its mode, and in the next one: there is no second order across a jump, and an impact must not ring
-  /// (R. Rannacher, Numer. Math. 43, 1984: damping steps after a discontinuity keep the order).
+  /// changes its mode or one of them its turn by 0.02 rad, and in the next one: there is no second order across a jump,
+  /// and an impact must not ring (R. Rannacher, Numer. Math. 43, 1984: damping steps after a discontinuity keep the
+  /// order).
   int order{1};
   double longest_bridge{0.1};  ///< a hand that is back after no longer than this came straight [s], >= 0
-  /// A sub-step in which a body would turn by more is cut into equal pieces, at most 16: contacts are linear in its
-  /// turn, and would give a body energy that spins by a radian in a step [rad], > 0. Infinity: never.
+  /// A sub-step in which a body would turn by more is cut into equal pieces, at most 16: what contacts change of its
+  /// turn enters linearly, and would give a body energy that spins by a radian in a step [rad], > 0. Infinity: never.
   double longest_turn{0.25};
   SolverOptions solver{};
 };
@@ -193,7 +194,7 @@ class World {
   std::vector<Eigen::Vector3d> changed_;  // ... and change of velocity
   std::vector<Eigen::Vector3d> moved_;    // ... and way of the centre
   double last_h_{1};                      // of that step [s]
-  std::vector<std::uint8_t> jumped_;      // by body, of the second order: a contact of its island changed its mode
+  std::vector<std::uint8_t> jumped_;      // by body, of the second order: its next step is Euler's, see Options::order
   std::vector<Scheme> scheme_;            // by body: of its last step
   std::vector<int> parent_;               // of a body in its island
   std::vector<Active> active_;

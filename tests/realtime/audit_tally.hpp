@@ -17,15 +17,15 @@ namespace handhold::realtime::testing {
 /// : as linearised), J the inertia at the pose about which the step is linearised (BodyStep):
 ///
 ///   numerical   −½ m |Δu|² − ½ ΔL J⁻¹ ΔL − Σ ½ k (|h v_n|² + |h ė|²): never positive
-///   turning     ½ L1 (I1⁻¹ − J⁻¹) L1 − ½ L0 (I0⁻¹ − J⁻¹) L0 + Σ ½ k ((|r1|² − |r1'|²) − (|r0|² − |r0'|²)), and of
-///   pairs
-///               of bodies Σ h f·(what the target sees − what moves straight): inertia, forces and arms are those of
-///               one orientation, the book knows the true ones. Of second order in the angle h w of a step, either
-///               sign; none of it in a scene where nothing turns
+///   turning     ½ L1 (I1⁻¹ − J⁻¹) L1 − ½ L0 (I0⁻¹ − J⁻¹) L0 + Σ ½ k ((|r1|² − |r1'|²) − (|r0|² − |r0'|²)), of pairs
+///               of bodies Σ h f·(v as the target sees it − v straight), of hands −Σ h (mean f − f)·u of the centre:
+///               inertia, forces and arms are those of one orientation, the book knows the true ones. Of second order
+///               in the angle h w of a step, either sign; none of it in a scene where nothing turns
 ///   touching    Σ f·r0': the force on a sample that comes in acts over the whole step, on its way outside as well.
 ///               Its part along the normal is a loss
-///   appearing   the same of samples of a body that are inside as the step begins; of a hand's it is booked as its work
-///   curving     Σ of sliding anchors that follow a curved surface instead of the straight way: of second order in the
+///   appearing   Σ ½ k |r0'|² of samples of a body that are inside as the step begins; of a hand's it is booked as its
+///   work curving     Σ of sliding anchors that follow a curved surface instead of the straight way: of second order in
+///   the
 ///               step where it is smooth. Positive where the surface comes up to meet the sample
 struct EnergyTerms {
   double numerical{}, turning{}, touching{}, appearing{}, curving{};  // [J]
