@@ -45,6 +45,7 @@ void predict(const RigidBody& body, const Scheme& scheme, const Eigen::Vector3d&
   s.change.setZero();
 
   s.held = held;
+  s.per_arm = 1 / body.radius;
   s.turns = body.turns();
   s.drag = held ? 1 / support_time : 0;
   s.load << load.force_W, load.torque_W;

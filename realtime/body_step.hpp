@@ -37,12 +37,17 @@ struct BodyStep {
   Matrix6 mass{Matrix6::Zero()};                            ///< (1 + θ h / τ) M
   Vector6 rest{Vector6::Zero()};                            ///< P0 + θ h F − mass u0: right side without contacts
   Vector6 change{Vector6::Zero()};                          ///< δ
+  double per_arm{};                                         ///< 1 / radius: weighs torques against forces [1/m]
   double drag{};                                            ///< 1 / τ while a support holds the body, else 0
   bool held{false};
   bool turns{false};
 
   [[nodiscard]] Eigen::Vector3d origin() const { return center - arm_O; }
   [[nodiscard]] Vector6 velocity() const { return u0 + change; }
+  /// |v|² of a force and a torque, or of momenta, as forces at the body's farthest point.
+  [[nodiscard]] double squared_norm(const Vector6& v) const {
+    return v.head<3>().squaredNorm() + per_arm * per_arm * v.tail<3>().squaredNorm();
+  }
 };
 
 /// The step of a body under `gravity` [m/s²] and `load` [N], [N m] at θ h. A fixed body is predicted to stay. `s` is

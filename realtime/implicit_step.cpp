@@ -18,11 +18,12 @@ bool touches_sliding(const Slider& slider, Mode mode, const Friction& friction) 
   return mode == Mode::apart && t.t_norm > friction.mu_static * std::max(t.N, 0.0);
 }
 
-/// Rate of what a damper feels. One that comes in from outside begins where the sample crosses the surface: its impulse
-/// over the step is that of the way inside, c (p − C). So there is no force before the surface is reached.
+/// Rate of what a damper feels. Along the normal, one that comes in from outside begins at the surface: its impulse
+/// over the step is that of the way inside, c d. So there is no force before the surface is reached.
 Vector3d rate(const Slider& slider, const SampleStep& sample, const Scheme& scheme) {
   const Vector3d start = sample.reach - scheme.reach() * sample.v;
-  return slider.entering && start.dot(sample.n) > 0 ? Vector3d(sample.reach / scheme.reach()) : sample.v;
+  if (!slider.entering || start.dot(sample.n) <= 0) return sample.v;
+  return sample.v + (sample.reach / scheme.reach() - sample.v).dot(sample.n) * sample.n;
 }
 
 /// Sticking sliders outside the static cone start to slide; true if there was one.

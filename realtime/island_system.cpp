@@ -139,7 +139,7 @@ bool IslandSystem::balance(Island& island, const std::vector<BodyStep>& bodies, 
     const BodyStep& body = bodies[std::size_t(island.bodies[i])];
     residual_[i] = body.rest;
     if (!body.change.isZero(0)) residual_[i] -= body.mass * body.change;
-    size += reach_ * body.external.norm() + body.momentum.norm();
+    size += reach_ * std::sqrt(body.squared_norm(body.external)) + std::sqrt(body.squared_norm(body.momentum));
   }
   for (const int index : acting_) {
     const PatchStep& p = island.patches[std::size_t(index)];
@@ -172,11 +172,10 @@ bool IslandSystem::balance(Island& island, const std::vector<BodyStep>& bodies, 
   }
   squared_ = 0;
   for (std::size_t i = 0; i < residual_.size(); ++i) {
-    if (!bodies[std::size_t(island.bodies[i])].turns) residual_[i].tail<3>().setZero();
-    squared_ += residual_[i].squaredNorm();
+    const BodyStep& body = bodies[std::size_t(island.bodies[i])];
+    if (!body.turns) residual_[i].tail<3>().setZero();
+    squared_ += body.squared_norm(residual_[i]);
   }
-  // Angular rows are in N m s: an arm of a metre would make them comparable, objects are smaller, so this is the safe
-  // side.
   return std::sqrt(squared_) <= tolerance * size + rounding * std::sqrt(noise);
 }
 

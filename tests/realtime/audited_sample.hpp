@@ -71,7 +71,7 @@ struct AuditedElement {
   Vector3d v{Vector3d::Zero()};                         // relative velocity
   bool entered{false};                                  // from outside: its damper feels what is inside of its way
   Vector3d r0{Vector3d::Zero()}, r1{Vector3d::Zero()};  // p − C as the step begins and ends
-  double closing{};                                     // −v·n
+  double closing{};                                     // rate of d that the damper feels
   Vector3d stretch{Vector3d::Zero()};                   // rate of the lag
   Vector3d slid{Vector3d::Zero()};                      // way of the slider, straight
   Vector3d f{Vector3d::Zero()};                         // force on the target
@@ -82,10 +82,11 @@ struct AuditedElement {
     r0 = s.p - s.C - place * s.seen_before();
     r1 = r0 + s.scheme.h * v;
     entered = s.touched && r0.dot(s.n) > 0;
-    const Vector3d r = r0 + reach * v, rate = entered ? Vector3d(r / reach) : v;
-    closing = -rate.dot(s.n);
-    const double d = -r.dot(s.n), N = s.k * d + s.c * closing;
-    const Vector3d lag = r + d * s.n, v_t = rate + closing * s.n, pull = s.k * lag + s.c * v_t;
+    const Vector3d r = r0 + reach * v;
+    const double d = -r.dot(s.n);
+    closing = entered ? d / reach : -v.dot(s.n);
+    const double N = s.k * d + s.c * closing;
+    const Vector3d lag = r + d * s.n, v_t = v - v.dot(s.n) * s.n, pull = s.k * lag + s.c * v_t;
     stretch = v_t;
     f = pull - N * s.n;
     if (!s.slides) return;

@@ -7,9 +7,8 @@
 //   momentum      m (v1 − v0) = h (m g + F + Σ f), L1 − L0 = h (T + Σ a × f), for every body on its own
 //   no adhesion   N >= 0, and no force at all while apart; free flight is the balance of momentum without forces
 //   cone          |f_t| <= μ N (1 + 1e-12), μ_s while it sticks and μ_d while it slides
-//   element       f = k r + c v where it sticks; −N n + μ_d N t*/|t*| where it slides; v = r / h of what comes in,
-//   which
-//                 no force acts on before it touches
+//   element       f = k r + c v where it sticks; −N n + μ_d N t*/|t*| where it slides; what comes in is damped
+//                 by the depth that it reaches, and not pushed before it touches
 //   anchors       bitwise unmoved while they stick; dissipation never falls
 //   energy        the book is off by the scheme's own, known terms and by nothing else (see EnergyTerms), and so bodies
 //                 never have more than hands gave and those terms added
@@ -222,7 +221,7 @@ class StepAudit {
     if (!s.touched)
       terms_.turning -= stored(start_of(patch, slot)) - stored(e.r0);
     else if (e.entered)
-      terms_.touching += s.f.dot(e.r0);
+      terms_.touching += s.f.dot(s.n) * e.r0.dot(s.n) + stored(e.r0 - e.r0.dot(s.n) * s.n);
     else
       book_appearance(slot, s.source != nullptr, stored(e.r0));
   }
