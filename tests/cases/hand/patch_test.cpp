@@ -263,8 +263,8 @@ TEST(Nearest, FromNoDirectionIsTheDistanceOverstated) {
                     (0.03 / way.cwiseAbs().maxCoeff() + uniform(random) / way.norm()) * way};
     const Vector3d half = Vector3d::Constant(0.03);
     EXPECT_LE(nearest(finger, X_OP, cube()).distance, least_distance(axis, X_OP, half) - finger.radius + 6e-6) << i;
-    if (i % 10 == 0)
-      EXPECT_LE(nearest(box, X_OP, cube()).distance, least_distance(palm_points, X_OP, half) + 6e-6) << i;
+    if (i % 10 != 0) continue;  // the palm's points are many
+    EXPECT_LE(nearest(box, X_OP, cube()).distance, least_distance(palm_points, X_OP, half) + 6e-6) << i;
   }
 }
 
