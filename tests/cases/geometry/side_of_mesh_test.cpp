@@ -30,7 +30,7 @@ Surface to_surface(const Mesh& mesh) {
 }
 
 #ifdef __SANITIZE_ADDRESS__
-constexpr int layer_step = 8;  // all layers of all shapes take CGAL above ten minutes there
+constexpr int layer_step = 8;  // CGAL is slow there: with all layers of all shapes it was not done after eight minutes
 #else
 constexpr int layer_step = 1;
 #endif
