@@ -35,3 +35,12 @@ function(handhold_isolated name)
   target_link_libraries(handhold_${name} PRIVATE ${arg_LINK})
   target_compile_options(handhold_${name} PRIVATE -ffp-contract=off ${arg_OPTIONS})
 endfunction()
+
+# sources_in(<list> <folder> <name>...): appends <folder>/<name>.cpp of each name to the list. Every source is named: one that
+# is forgotten shows as an undefined reference, and none comes in by lying there.
+function(sources_in list folder)
+  set(named ${ARGN})
+  list(TRANSFORM named PREPEND "${folder}/")
+  list(TRANSFORM named APPEND ".cpp")
+  set(${list} ${${list}} ${named} PARENT_SCOPE)
+endfunction()

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "cases/error.hpp"
+#include "cases/model/input_error.hpp"
 #include "realtime/gamma.hpp"
 #include "realtime/handhold.h"
 #include "realtime/paper/hand_contact.hpp"

@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "cases/hand/hand_model.hpp"
-#include "cases/pose.hpp"
+#include "cases/model/hand_model.hpp"
+#include "cases/model/pose.hpp"
 
 namespace handhold::realtime {
 

@@ -2,8 +2,8 @@
 
 #include <Eigen/Core>
 
-#include "cases/recording.hpp"
-#include "cases/scene/scene.hpp"
+#include "cases/model/recording.hpp"
+#include "cases/model/scene.hpp"
 
 namespace handhold::realtime {
 

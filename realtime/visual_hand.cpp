@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "cases/error.hpp"
-#include "cases/hand/patch.hpp"
+#include "cases/model/input_error.hpp"
+#include "cases/model/patch.hpp"
 
 namespace handhold::realtime {
 namespace {

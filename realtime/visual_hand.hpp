@@ -5,9 +5,9 @@
 
 #include <Eigen/Core>
 
-#include "cases/geometry/voxel_field.hpp"
-#include "cases/hand/hand_model.hpp"
-#include "cases/pose.hpp"
+#include "cases/model/hand_model.hpp"
+#include "cases/model/pose.hpp"
+#include "cases/model/voxel_field.hpp"
 
 namespace handhold::realtime {
 

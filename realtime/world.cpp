@@ -6,7 +6,7 @@
 #include <string>
 #include <tuple>
 
-#include "cases/error.hpp"
+#include "cases/model/input_error.hpp"
 
 namespace handhold::realtime {
 namespace {

@@ -3,17 +3,17 @@
 #include <cstdint>
 #include <vector>
 
-#include "cases/recording.hpp"
-#include "cases/scene/scene.hpp"
-#include "realtime/body_pairs.hpp"
-#include "realtime/broad_phase.hpp"
-#include "realtime/contacts.hpp"
+#include "cases/model/recording.hpp"
+#include "cases/model/scene.hpp"
+#include "realtime/contact/contacts.hpp"
+#include "realtime/detection/body_pairs.hpp"
+#include "realtime/detection/broad_phase.hpp"
+#include "realtime/detection/proximity.hpp"
+#include "realtime/detection/surface.hpp"
 #include "realtime/hand_path.hpp"
-#include "realtime/implicit_step.hpp"
 #include "realtime/phase_clock.hpp"
-#include "realtime/proximity.hpp"
 #include "realtime/rigid_body.hpp"
-#include "realtime/surface.hpp"
+#include "realtime/solve/implicit_step.hpp"
 
 namespace handhold::realtime {
 

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "cases/scene/scene.hpp"
+#include "cases/model/scene.hpp"
 #include "reference/contact_data.hpp"
 
 namespace handhold::reference {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "cases/scene/scene.hpp"
+#include "cases/model/scene.hpp"
 
 namespace handhold::reference {
 

@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-#include "cases/recording.hpp"
+#include "cases/model/recording.hpp"
 #include "reference/element.hpp"
 #include "reference/surface.hpp"
 

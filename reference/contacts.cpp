@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "cases/error.hpp"
-#include "cases/hand/hand_model.hpp"
+#include "cases/model/hand_model.hpp"
+#include "cases/model/input_error.hpp"
 
 namespace handhold::reference {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "cases/scene/scene.hpp"
+#include "cases/model/scene.hpp"
 #include "reference/contact_data.hpp"
 #include "reference/element.hpp"
 #include "reference/layout.hpp"

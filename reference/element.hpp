@@ -2,8 +2,8 @@
 
 #include <Eigen/Core>
 
-#include "cases/recording.hpp"
-#include "cases/scene/friction.hpp"
+#include "cases/model/friction.hpp"
+#include "cases/model/recording.hpp"
 
 namespace handhold::reference {
 

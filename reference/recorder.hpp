@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "cases/recording.hpp"
-#include "cases/scene/scene.hpp"
+#include "cases/model/recording.hpp"
+#include "cases/model/scene.hpp"
 #include "reference/contacts.hpp"
 #include "reference/reference.hpp"
 

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "cases/error.hpp"
-#include "cases/scene/frame_times.hpp"
+#include "cases/model/frame_times.hpp"
+#include "cases/model/input_error.hpp"
 #include "reference/simbody_world.hpp"
 
 namespace handhold::reference {

@@ -6,7 +6,7 @@
 
 #include <Simbody.h>
 
-#include "cases/scene/scene.hpp"
+#include "cases/model/scene.hpp"
 #include "reference/contact_data.hpp"
 #include "reference/simbody_library.hpp"
 

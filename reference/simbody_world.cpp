@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "cases/scene/frame_times.hpp"
+#include "cases/model/frame_times.hpp"
 #include "reference/breaks.hpp"
 #include "reference/invariants.hpp"
 #include "reference/simbody_force.hpp"

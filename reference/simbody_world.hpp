@@ -2,8 +2,8 @@
 
 #include <functional>
 
-#include "cases/recording.hpp"
-#include "cases/scene/scene.hpp"
+#include "cases/model/recording.hpp"
+#include "cases/model/scene.hpp"
 #include "reference/reference.hpp"
 
 namespace handhold::reference::simbody {

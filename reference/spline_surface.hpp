@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "cases/geometry/voxel_field.hpp"
+#include "cases/model/voxel_field.hpp"
 #include "reference/surface.hpp"
 
 namespace handhold::reference {

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "cases/geometry/voxel_field.hpp"
+#include "cases/model/voxel_field.hpp"
 #include "reference/element.hpp"
 #include "reference/reference.hpp"
 #include "reference/wedge.hpp"

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "reports/data/text.hpp"
 #include "reports/page_parts.hpp"
-#include "reports/text.hpp"
 
 namespace handhold::reports {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "compare/suite.hpp"
+#include "compare/judge/suite.hpp"
 
 namespace handhold::reports {
 

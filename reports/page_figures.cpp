@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
+#include "reports/data/text.hpp"
 #include "reports/page_parts.hpp"
 #include "reports/svg_plot.hpp"
-#include "reports/text.hpp"
 
 namespace handhold::reports {
 namespace {

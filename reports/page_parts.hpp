@@ -3,8 +3,8 @@
 #include <string>
 #include <string_view>
 
-#include "compare/suite.hpp"
-#include "reports/placed_gate.hpp"
+#include "compare/judge/suite.hpp"
+#include "reports/data/placed_gate.hpp"
 
 /// The pieces that `page` is put together from. Every function returns HTML with its texts escaped.
 namespace handhold::reports {

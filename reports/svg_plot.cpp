@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "reports/text.hpp"
+#include "reports/data/text.hpp"
 #include "reports/ticks.hpp"
 
 namespace handhold::reports {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "reports/text.hpp"
+#include "reports/data/text.hpp"
 
 namespace handhold::reports {
 namespace {

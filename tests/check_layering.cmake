@@ -14,24 +14,24 @@ function(folders_seen_by file out)
   set(seen_by_reports   cases compare reports)
   string(REGEX MATCH "^[a-z]+" folder "${file}")
   set(seen ${seen_by_${folder}})
-  if(file MATCHES "^compare/(((baseline_)?engines|drawn_hand)\\.cpp|stepped\\.hpp)$")  # the adapters
+  if(file MATCHES "^compare/engine/(((baseline_)?engines|drawn_hand)\\.cpp|stepped\\.hpp)$")  # the adapters
     list(APPEND seen realtime reference)
-  elseif(file MATCHES "^reports/(handhold|command_[a-z_]+)\\.[ch]pp$")  # the command line
+  elseif(file MATCHES "^reports/cli/(handhold|command_[a-z_]+)\\.[ch]pp$")  # the command line
     list(APPEND seen realtime reference)
   endif()
   set(${out} "${seen}" PARENT_SCOPE)
 endfunction()
 
 # What realtime may take from cases: what handhold::shared provides, so that it links with Eigen alone.
-set(shared_headers "^cases/([a-z_]+|geometry/(mesh|mass_properties|voxel_field)|hand/(hand_model|hand_motion|patch|trace)|scene/(friction|scene))\\.hpp$")
+set(shared_headers "^cases/(model/[a-z_]+|geometry/mass_properties|hand/(hand_motion|trace))\\.hpp$")
 
 # A package's slow, viral or licence-bearing headers stay in few files: "<regex of the include>|<regex of the files that may>".
 set(packages
   "Simbody|SimTK|simbody"  "^(tests/)?reference/(rigid/)?simbody_[a-z_]+\\.[ch]pp$"
-  "CGAL/"                  "^(cases/geometry/cgal_[a-z_]+\\.cpp|tests/cases/geometry/[a-z_]+\\.cpp)$"
-  "CLI/"                   "^reports/(handhold|command_[a-z_]+|option_checks)\\.[ch]pp$"
-  "assimp/"                "^cases/geometry/mesh_reader\\.cpp$"
-  "toml\\+\\+|toml\\.hpp"  "^cases/scene/(scene_file|toml_section)\\.[ch]pp$"
+  "CGAL/"                  "^(cases/geometry/cgal_[a-z_]+\\.cpp|tests/cases/(geometry|model|input)/[a-z_]+\\.cpp)$"
+  "CLI/"                   "^reports/cli/(handhold|command_[a-z_]+|option_checks)\\.[ch]pp$"
+  "assimp/"                "^cases/input/mesh/mesh_reader\\.cpp$"
+  "toml\\+\\+|toml\\.hpp"  "^cases/input/scene/(scene_file|toml_section)\\.[ch]pp$"
   "ode/|mujoco/|dart/"     "^compare/peers/[a-z_]+\\.cpp$"
   "benchmark/"             "^tests/bench/[a-z_]+\\.[ch]pp$"
   "gsl/"                   "^(cases|compare|reference|tests)/.*\\.[ch]pp$"

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "cases/scene/friction.hpp"
+#include "cases/model/friction.hpp"
 
 namespace handhold::closed_form {
 

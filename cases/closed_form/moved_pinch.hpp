@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "cases/scene/friction.hpp"
+#include "cases/model/friction.hpp"
 
 namespace handhold::closed_form {
 

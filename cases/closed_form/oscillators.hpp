@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cases/scene/friction.hpp"
+#include "cases/model/friction.hpp"
 
 namespace handhold::closed_form {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cases/scene/friction.hpp"
+#include "cases/model/friction.hpp"
 
 // L3: the law of Höll et al. 2018 as printed (eq. 1 to 5, one ray a frame). Its truths are exact maps from one frame to
 // the next; they say what that law does, never what friction does. docs/paper.md tells them in words.

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "cases/closed_form/linear_motion.hpp"
-#include "cases/scene/friction.hpp"
+#include "cases/model/friction.hpp"
 
 namespace handhold::closed_form {
 

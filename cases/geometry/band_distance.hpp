@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "cases/geometry/mesh.hpp"
-#include "cases/geometry/voxel_field.hpp"
+#include "cases/model/mesh.hpp"
+#include "cases/model/voxel_field.hpp"
 
 namespace handhold {
 

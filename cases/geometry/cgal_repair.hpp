@@ -2,8 +2,8 @@
 
 #include <cstddef>
 
-#include "cases/geometry/mesh.hpp"
 #include "cases/geometry/mesh_cleanup.hpp"
+#include "cases/model/mesh.hpp"
 
 namespace handhold {
 

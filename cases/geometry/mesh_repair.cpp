@@ -9,12 +9,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cases/error.hpp"
 #include "cases/geometry/cgal_repair.hpp"
 #include "cases/geometry/mass_properties.hpp"
 #include "cases/geometry/mesh_cleanup.hpp"
 #include "cases/geometry/mesh_topology.hpp"
 #include "cases/geometry/scanline.hpp"
+#include "cases/model/input_error.hpp"
 
 namespace handhold {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string>
 
-#include "cases/geometry/mesh.hpp"
+#include "cases/model/mesh.hpp"
 
 namespace handhold {
 

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "cases/geometry/mesh.hpp"
+#include "cases/model/mesh.hpp"
 
 namespace handhold {
 

@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "cases/error.hpp"
 #include "cases/geometry/loft.hpp"
 #include "cases/geometry/mass_properties.hpp"
 #include "cases/geometry/shapes.hpp"
+#include "cases/model/input_error.hpp"
 
 namespace handhold {
 namespace {

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cases/error.hpp"
 #include "cases/geometry/shapes.hpp"
+#include "cases/model/input_error.hpp"
 
 namespace handhold {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "cases/geometry/mesh.hpp"
+#include "cases/model/mesh.hpp"
 
 namespace handhold {
 

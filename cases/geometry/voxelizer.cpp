@@ -7,12 +7,12 @@
 
 #include <fmt/format.h>
 
-#include "cases/error.hpp"
 #include "cases/geometry/band_distance.hpp"
 #include "cases/geometry/mass_properties.hpp"
 #include "cases/geometry/mesh_topology.hpp"
 #include "cases/geometry/scanline.hpp"
 #include "cases/geometry/triangle_cells.hpp"
+#include "cases/model/input_error.hpp"
 
 namespace handhold {
 namespace {

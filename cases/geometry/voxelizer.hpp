@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "cases/geometry/mesh.hpp"
-#include "cases/geometry/voxel_field.hpp"
+#include "cases/model/mesh.hpp"
+#include "cases/model/voxel_field.hpp"
 
 namespace handhold {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cases/geometry/voxel_field.hpp"
+#include "cases/model/voxel_field.hpp"
 
 namespace handhold {
 

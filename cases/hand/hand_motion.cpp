@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <gsl/gsl_interp.h>
 
-#include "cases/error.hpp"
+#include "cases/model/input_error.hpp"
 
 namespace handhold {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "cases/hand/trace.hpp"
-#include "cases/pose.hpp"
+#include "cases/model/pose.hpp"
 
 namespace handhold {
 

@@ -4,8 +4,8 @@
 
 #include <Eigen/Core>
 
-#include "cases/hand/hand_model.hpp"
-#include "cases/pose.hpp"
+#include "cases/model/hand_model.hpp"
+#include "cases/model/pose.hpp"
 
 namespace handhold {
 

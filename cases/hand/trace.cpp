@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "cases/error.hpp"
+#include "cases/model/input_error.hpp"
 
 namespace handhold {
 namespace {

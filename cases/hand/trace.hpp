@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "cases/hand/hand_model.hpp"
-#include "cases/pose.hpp"
+#include "cases/model/hand_model.hpp"
+#include "cases/model/pose.hpp"
 
 namespace handhold {
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <mujoco/mujoco.h>
 
-#include "cases/error.hpp"
+#include "cases/model/input_error.hpp"
 
 namespace handhold::compare::peers {
 namespace {

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cases/error.hpp"
+#include "cases/model/input_error.hpp"
 #ifdef HANDHOLD_ODE
 #include "compare/peers/ode_peer.hpp"
 #endif

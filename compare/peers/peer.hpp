@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "cases/catalogue/benchmark_scenes.hpp"
-#include "cases/recording.hpp"
+#include "cases/catalogue/scenes/benchmark_scenes.hpp"
+#include "cases/model/recording.hpp"
 #include "compare/peers/peer_model.hpp"
 
 // Today's rigid-body engines on the benchmark scenes. Built only by ./dev bench, and only those whose packages are

@@ -5,8 +5,8 @@
 
 #include <Eigen/Core>
 
-#include "cases/catalogue/benchmark_scenes.hpp"
-#include "cases/pose.hpp"
+#include "cases/catalogue/scenes/benchmark_scenes.hpp"
+#include "cases/model/pose.hpp"
 
 namespace handhold::compare::peers {
 

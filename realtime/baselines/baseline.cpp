@@ -4,8 +4,8 @@
 #include <string>
 #include <variant>
 
-#include "cases/error.hpp"
-#include "cases/hand/patch.hpp"
+#include "cases/model/input_error.hpp"
+#include "cases/model/patch.hpp"
 
 namespace handhold::realtime::baselines {
 namespace {

@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "cases/recording.hpp"
-#include "cases/scene/scene.hpp"
+#include "cases/model/recording.hpp"
+#include "cases/model/scene.hpp"
 #include "realtime/baselines/carried_body.hpp"
 #include "realtime/hand_path.hpp"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string>
 
-#include "cases/error.hpp"
+#include "cases/model/input_error.hpp"
 
 namespace handhold::realtime::baselines {
 namespace {

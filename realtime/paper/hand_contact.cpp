@@ -5,7 +5,7 @@
 #include <utility>
 #include <variant>
 
-#include "cases/error.hpp"
+#include "cases/model/input_error.hpp"
 
 namespace handhold::realtime::paper {
 namespace {

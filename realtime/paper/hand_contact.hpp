@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "cases/hand/hand_model.hpp"
-#include "cases/hand/patch.hpp"
+#include "cases/model/hand_model.hpp"
+#include "cases/model/patch.hpp"
 #include "realtime/hand_path.hpp"
 #include "realtime/paper/middleware.hpp"
 
@@ -15,8 +15,8 @@ namespace handhold::realtime::paper {
 /// The paper's method on whole hands: patches come where a phalanx is nearer than the contact offset, go where it is
 /// farther than twice that (a trigger's exit with hysteresis), and Middleware does the rest.
 ///
-/// A patch is 8 samples on a ring, wider on thumb and palm (section 3.2: cases/hand/patch.hpp). Allocates nothing after
-/// construction. Hands that are not present drop their patches.
+/// A patch is 8 samples on a ring, wider on thumb and palm (section 3.2: cases/model/patch.hpp). Allocates nothing
+/// after construction. Hands that are not present drop their patches.
 class HandContact {
  public:
   /// `hands` models, `PatchOptions::contact_offset` and `reference_point` are taken from `options`.

@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "cases/error.hpp"
+#include "cases/model/input_error.hpp"
 
 namespace handhold::realtime::paper {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "cases/error.hpp"
+#include "cases/model/input_error.hpp"
 #include "realtime/paper/anchor.hpp"
 
 namespace handhold::realtime::paper {

@@ -7,10 +7,10 @@
 
 #include <Eigen/Core>
 
-#include "cases/hand/patch.hpp"
-#include "cases/pose.hpp"
-#include "cases/recording.hpp"
-#include "cases/scene/friction.hpp"
+#include "cases/model/friction.hpp"
+#include "cases/model/patch.hpp"
+#include "cases/model/pose.hpp"
+#include "cases/model/recording.hpp"
 #include "realtime/paper/law.hpp"
 #include "realtime/paper/surface.hpp"
 

@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "cases/geometry/voxel_field.hpp"
+#include "cases/model/voxel_field.hpp"
 
 namespace handhold::realtime::paper {
 

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "cases/geometry/voxel_field.hpp"
+#include "cases/model/voxel_field.hpp"
 #include "realtime/paper/surface.hpp"
 
 namespace handhold::realtime::paper {

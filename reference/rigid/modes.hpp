@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "cases/recording.hpp"
+#include "cases/model/recording.hpp"
 #include "reference/rigid/contact_point.hpp"
 
 namespace handhold::reference::rigid {

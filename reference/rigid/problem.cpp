@@ -6,7 +6,7 @@
 #include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
-#include "cases/error.hpp"
+#include "cases/model/input_error.hpp"
 #include "reference/rigid/contact_point.hpp"
 
 namespace handhold::reference::rigid {

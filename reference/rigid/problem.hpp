@@ -5,10 +5,10 @@
 
 #include <Eigen/Core>
 
-#include "cases/pose.hpp"
-#include "cases/recording.hpp"
-#include "cases/scene/friction.hpp"
-#include "cases/scene/scene.hpp"
+#include "cases/model/friction.hpp"
+#include "cases/model/pose.hpp"
+#include "cases/model/recording.hpp"
+#include "cases/model/scene.hpp"
 #include "reference/rigid/surface.hpp"
 
 namespace handhold::reference::rigid {

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "cases/error.hpp"
+#include "cases/model/input_error.hpp"
 #include "reference/rigid/simbody_run.hpp"
 
 namespace handhold::reference::rigid {

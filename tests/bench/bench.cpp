@@ -13,12 +13,12 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-#include "cases/catalogue/benchmark_scenes.hpp"
-#include "cases/error.hpp"
-#include "compare/engines.hpp"
+#include "cases/catalogue/scenes/benchmark_scenes.hpp"
+#include "cases/model/input_error.hpp"
+#include "compare/engine/engines.hpp"
+#include "compare/measure/quality.hpp"
 #include "compare/peers/peer.hpp"
-#include "compare/quality.hpp"
-#include "reports/scene_source.hpp"
+#include "reports/cli/scene_source.hpp"
 #include "tests/bench/goals.hpp"
 #include "tests/bench/options.hpp"
 #include "tests/bench/phases.hpp"

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/gate.hpp"
+#include "compare/judge/gate.hpp"
 #include "tests/bench/series.hpp"
 
 namespace handhold::bench {

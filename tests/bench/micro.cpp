@@ -4,8 +4,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "cases/catalogue/benchmark_scenes.hpp"
-#include "cases/error.hpp"
+#include "cases/catalogue/scenes/benchmark_scenes.hpp"
+#include "cases/model/input_error.hpp"
 #include "realtime/world.hpp"
 #include "tests/bench/play.hpp"
 

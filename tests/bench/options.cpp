@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "cases/error.hpp"
+#include "cases/model/input_error.hpp"
 
 namespace handhold::bench {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "cases/scene/scene.hpp"
+#include "cases/model/scene.hpp"
 #include "realtime/hand_path.hpp"
 #include "realtime/world.hpp"
 

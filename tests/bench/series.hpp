@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/timing.hpp"
+#include "compare/measure/timing.hpp"
 
 namespace handhold::bench {
 

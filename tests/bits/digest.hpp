@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "cases/recording.hpp"
+#include "cases/model/recording.hpp"
 
 namespace handhold::testing {
 

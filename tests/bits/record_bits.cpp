@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "cases/catalogue/benchmark_scenes.hpp"
-#include "cases/catalogue/lively_scenes.hpp"
+#include "cases/catalogue/scenes/benchmark_scenes.hpp"
+#include "cases/catalogue/scenes/lively_scenes.hpp"
 #include "realtime/paper/hand_contact.hpp"
 #include "realtime/world.hpp"
 #include "tests/bits/digest.hpp"

@@ -2,11 +2,11 @@
 #include <string>
 
 #include "cases/catalogue/case.hpp"
-#include "compare/engines.hpp"
+#include "compare/engine/engines.hpp"
 #include "tests/bits/digest.hpp"
 
-// Prints a number for all bits of every recording of the suite: one line a case, run and engine. A change that only moves
-// or renames code leaves its output as it was (`diff` before and after).
+// Prints a number for all bits of every recording of the suite: one line a case, run and engine. A change that only
+// moves or renames code leaves its output as it was (`diff` before and after).
 
 namespace handhold::compare {
 namespace {

@@ -1,9 +1,9 @@
-#include "compare/baseline_engines.hpp"
+#include "compare/engine/baseline_engines.hpp"
 
 #include <gtest/gtest.h>
 
-#include "cases/catalogue/scenes.hpp"
-#include "cases/error.hpp"
+#include "cases/catalogue/builders/scenes.hpp"
+#include "cases/model/input_error.hpp"
 
 namespace handhold::compare {
 namespace {

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "cases/catalogue/case.hpp"
-#include "compare/engines.hpp"
-#include "compare/suite.hpp"
+#include "compare/engine/engines.hpp"
+#include "compare/judge/suite.hpp"
 
 namespace handhold::compare {
 namespace {

@@ -3,14 +3,14 @@
 
 #include <gtest/gtest.h>
 
-#include "cases/error.hpp"
-#include "compare/convergence.hpp"
-#include "compare/engines.hpp"
-#include "compare/gate.hpp"
-#include "compare/grasp.hpp"
-#include "compare/measure.hpp"
-#include "compare/suite.hpp"
-#include "compare/timing.hpp"
+#include "cases/model/input_error.hpp"
+#include "compare/engine/engines.hpp"
+#include "compare/judge/gate.hpp"
+#include "compare/judge/suite.hpp"
+#include "compare/measure/grasp.hpp"
+#include "compare/measure/measure.hpp"
+#include "compare/measure/timing.hpp"
+#include "compare/study/convergence.hpp"
 
 namespace handhold::compare {
 namespace {

@@ -1,4 +1,4 @@
-#include "compare/drawn_hand.hpp"
+#include "compare/engine/drawn_hand.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "cases/catalogue/scenes.hpp"
-#include "cases/error.hpp"
+#include "cases/catalogue/builders/scenes.hpp"
 #include "cases/hand/trace_builder.hpp"
+#include "cases/model/input_error.hpp"
 
 namespace handhold::compare {
 namespace {

@@ -1,4 +1,4 @@
-#include "compare/extrapolation.hpp"
+#include "compare/study/extrapolation.hpp"
 
 #include <cmath>
 #include <iostream>
@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "cases/catalogue/limit_scenes.hpp"
+#include "cases/catalogue/scenes/limit_scenes.hpp"
 #include "cases/closed_form/rigid_shake.hpp"
-#include "cases/error.hpp"
-#include "compare/engines.hpp"
+#include "cases/model/input_error.hpp"
+#include "compare/engine/engines.hpp"
 
 namespace handhold::compare {
 namespace {

@@ -1,4 +1,4 @@
-#include "compare/grasp.hpp"
+#include "compare/measure/grasp.hpp"
 
 #include <cmath>
 #include <limits>
@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cases/catalogue/scenes.hpp"
+#include "cases/catalogue/builders/scenes.hpp"
 
 namespace handhold::compare {
 namespace {

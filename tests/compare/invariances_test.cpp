@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "cases/catalogue/prescribed_hand.hpp"
-#include "cases/catalogue/scenes.hpp"
-#include "compare/engines.hpp"
+#include "cases/catalogue/builders/prescribed_hand.hpp"
+#include "cases/catalogue/builders/scenes.hpp"
+#include "compare/engine/engines.hpp"
 
 // What nature does not care about, no engine may: where a scene stands, which way it looks, how fast it passes by, its
 // mirror image, its size if weights and times go with it (Froude), and friction that is not used. Both engines.

@@ -1,4 +1,4 @@
-#include "compare/quality.hpp"
+#include "compare/measure/quality.hpp"
 
 #include <array>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cases/catalogue/scenes.hpp"
+#include "cases/catalogue/builders/scenes.hpp"
 #include "cases/closed_form/off_centre_pinch.hpp"
 #include "cases/hand/trace_builder.hpp"
 

@@ -1,4 +1,4 @@
-#include "compare/self_convergence.hpp"
+#include "compare/study/self_convergence.hpp"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // What the suite asks of engines, and how it is stopped within a run.
 #include <gtest/gtest.h>
 
-#include "compare/suite.hpp"
+#include "compare/judge/suite.hpp"
 
 namespace handhold::compare {
 namespace {

@@ -10,7 +10,7 @@
 #include <exception>
 #include <string>
 
-#include "cases/error.hpp"
+#include "cases/model/input_error.hpp"
 #include "reference/reference.hpp"
 #include "tests/fuzz/random_scene.hpp"
 

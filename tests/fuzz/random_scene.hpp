@@ -4,7 +4,7 @@
 #include <random>
 #include <string>
 
-#include "cases/scene/scene.hpp"
+#include "cases/model/scene.hpp"
 
 namespace handhold::reference {
 

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cases/catalogue/benchmark_scenes.hpp"
+#include "cases/catalogue/scenes/benchmark_scenes.hpp"
 #include "tests/realtime/scenes.hpp"
 
 // Counts every operator new of the program, so that a frame can be shown to make none.

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <string>
 
-#include "cases/recording.hpp"
+#include "cases/model/recording.hpp"
 
 namespace handhold::realtime::testing {
 

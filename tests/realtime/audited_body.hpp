@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
-#include "realtime/body_step.hpp"
+#include "realtime/solve/body_step.hpp"
 #include "tests/realtime/audit_tally.hpp"
 
 namespace handhold::realtime::testing {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "cases/catalogue/scenes.hpp"
-#include "cases/error.hpp"
+#include "cases/catalogue/builders/scenes.hpp"
+#include "cases/model/input_error.hpp"
 #include "realtime/baselines/kinematic_grasp.hpp"
 #include "realtime/baselines/pinch_state.hpp"
 

@@ -1,11 +1,11 @@
-#include "realtime/block_system.hpp"
+#include "realtime/solve/block_system.hpp"
 
 #include <random>
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
-#include "realtime/small_solve.hpp"
+#include "realtime/solve/small_solve.hpp"
 
 namespace handhold::realtime {
 namespace {

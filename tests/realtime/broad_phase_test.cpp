@@ -1,4 +1,4 @@
-#include "realtime/broad_phase.hpp"
+#include "realtime/detection/broad_phase.hpp"
 
 #include <limits>
 #include <set>

@@ -1,4 +1,4 @@
-#include "realtime/element.hpp"
+#include "realtime/contact/element.hpp"
 
 #include <cmath>
 

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "cases/catalogue/scenes.hpp"
-#include "cases/error.hpp"
+#include "cases/catalogue/builders/scenes.hpp"
+#include "cases/model/input_error.hpp"
 #include "realtime/paper/host.hpp"
 #include "realtime/world.hpp"
 

@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "cases/catalogue/benchmark_scenes.hpp"
-#include "cases/catalogue/lively_scenes.hpp"
+#include "cases/catalogue/scenes/benchmark_scenes.hpp"
+#include "cases/catalogue/scenes/lively_scenes.hpp"
 #include "tests/realtime/world_twin.hpp"
 
 // What nature does not care about, asked of scenes that are chaotic: symmetry, similarity, friction that is not used

@@ -1,4 +1,4 @@
-#include "cases/catalogue/lively_scenes.hpp"
+#include "cases/catalogue/scenes/lively_scenes.hpp"
 
 #include <algorithm>
 #include <iostream>
@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cases/catalogue/benchmark_scenes.hpp"
+#include "cases/catalogue/scenes/benchmark_scenes.hpp"
 #include "tests/realtime/audited_twin.hpp"
 #include "tests/realtime/random_grasp.hpp"
 #include "tests/realtime/scenes.hpp"

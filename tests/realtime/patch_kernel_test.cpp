@@ -2,7 +2,7 @@
 // sample by sample, straight from the element's law (docs/contact-law.md). The numbers are arbitrary: 1 rad, 1 m,
 // 1 m/s, so that no term is small. Tolerance: 1e-12 of the sum of the terms' sizes, some thousand roundings.
 
-#include "realtime/patch_kernel.hpp"
+#include "realtime/contact/patch_kernel.hpp"
 
 #include <random>
 #include <string>

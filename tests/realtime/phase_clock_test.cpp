@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cases/catalogue/benchmark_scenes.hpp"
+#include "cases/catalogue/scenes/benchmark_scenes.hpp"
 #include "tests/realtime/scenes.hpp"
 
 namespace handhold::realtime {

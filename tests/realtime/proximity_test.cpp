@@ -1,4 +1,4 @@
-#include "realtime/proximity.hpp"
+#include "realtime/detection/proximity.hpp"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cases/catalogue/lively_scenes.hpp"
+#include "cases/catalogue/scenes/lively_scenes.hpp"
 #include "tests/bits/digest.hpp"
 #include "tests/realtime/scenes.hpp"
 

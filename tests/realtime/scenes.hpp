@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "cases/catalogue/scenes.hpp"
+#include "cases/catalogue/builders/scenes.hpp"
 #include "cases/geometry/shapes.hpp"
 #include "cases/geometry/surface_samples.hpp"
 #include "cases/geometry/voxelizer.hpp"

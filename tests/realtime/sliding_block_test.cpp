@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cases/catalogue/benchmark_scenes.hpp"
+#include "cases/catalogue/scenes/benchmark_scenes.hpp"
 #include "tests/realtime/scenes.hpp"
 
 // What the time step makes of sliding under constant friction: the blocks of S3, against the exact maps of both

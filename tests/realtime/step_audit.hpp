@@ -19,7 +19,7 @@
 
 #include <Eigen/Geometry>
 
-#include "realtime/surface.hpp"
+#include "realtime/detection/surface.hpp"
 #include "realtime/world.hpp"
 #include "tests/realtime/audited_sample.hpp"
 

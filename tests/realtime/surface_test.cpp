@@ -1,4 +1,4 @@
-#include "realtime/surface.hpp"
+#include "realtime/detection/surface.hpp"
 
 #include <cmath>
 

@@ -9,13 +9,13 @@
 
 #include <gtest/gtest.h>
 
-#include "cases/error.hpp"
 #include "cases/geometry/shapes.hpp"
 #include "cases/geometry/voxelizer.hpp"
 #include "cases/hand/hand_motion.hpp"
-#include "cases/hand/patch.hpp"
-#include "cases/hand/trace_reader.hpp"
-#include "cases/scene/placement.hpp"
+#include "cases/hand/placement.hpp"
+#include "cases/input/trace/trace_reader.hpp"
+#include "cases/model/input_error.hpp"
+#include "cases/model/patch.hpp"
 
 namespace handhold::realtime {
 namespace {

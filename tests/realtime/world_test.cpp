@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "cases/catalogue/benchmark_scenes.hpp"
-#include "cases/catalogue/scenes.hpp"
-#include "cases/error.hpp"
+#include "cases/catalogue/builders/scenes.hpp"
+#include "cases/catalogue/scenes/benchmark_scenes.hpp"
+#include "cases/model/input_error.hpp"
 #include "tests/realtime/allocations.hpp"
 #include "tests/realtime/scenes.hpp"
 

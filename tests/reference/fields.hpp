@@ -7,8 +7,8 @@
 #include <memory>
 
 #include "cases/geometry/shapes.hpp"
-#include "cases/geometry/voxel_field.hpp"
 #include "cases/geometry/voxelizer.hpp"
+#include "cases/model/voxel_field.hpp"
 
 namespace handhold::reference::testing {
 

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cases/error.hpp"
+#include "cases/model/input_error.hpp"
 #include "tests/reference/scenes.hpp"
 
 namespace handhold::reference {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cases/error.hpp"
+#include "cases/model/input_error.hpp"
 #include "tests/reference/fields.hpp"
 
 namespace handhold::reference {

@@ -15,7 +15,7 @@
 #include <unistd.h>
 
 #include "cases/hand/keyframed_hand.hpp"
-#include "cases/hand/trace_csv.hpp"
+#include "cases/input/trace/trace_csv.hpp"
 
 namespace handhold::reports {
 namespace {

@@ -1,4 +1,4 @@
-#include "reports/convergence_text.hpp"
+#include "reports/data/convergence_text.hpp"
 
 #include <cmath>
 

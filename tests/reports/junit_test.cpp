@@ -1,4 +1,4 @@
-#include "reports/junit.hpp"
+#include "reports/data/junit.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "reports/results_json.hpp"
+#include "reports/data/results_json.hpp"
 
 #include <fstream>
 #include <limits>

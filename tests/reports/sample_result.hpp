@@ -4,7 +4,7 @@
 #include <limits>
 #include <string>
 
-#include "compare/suite.hpp"
+#include "compare/judge/suite.hpp"
 
 namespace handhold::reports {
 

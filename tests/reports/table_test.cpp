@@ -1,10 +1,10 @@
-#include "reports/table.hpp"
+#include "reports/data/table.hpp"
 
 #include <sstream>
 
 #include <gtest/gtest.h>
 
-#include "reports/text.hpp"
+#include "reports/data/text.hpp"
 #include "tests/reports/sample_result.hpp"
 
 namespace handhold::reports {

@@ -1,4 +1,4 @@
-#include "reports/text.hpp"
+#include "reports/data/text.hpp"
 
 #include <cmath>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "reports/write_report.hpp"
+#include "reports/data/write_report.hpp"
 
 #include <csignal>
 #include <filesystem>
@@ -9,7 +9,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "cases/error.hpp"
+#include "cases/model/input_error.hpp"
 #include "reports/page.hpp"
 #include "tests/reports/sample_result.hpp"
 

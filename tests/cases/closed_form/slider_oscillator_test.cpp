@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "cases/closed_form/projectile.hpp"
-#include "cases/error.hpp"
+#include "cases/model/input_error.hpp"
 #include "tests/cases/closed_form/expected_json.hpp"
 #include "tests/cases/closed_form/integrate.hpp"
 

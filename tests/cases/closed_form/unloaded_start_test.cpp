@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cases/catalogue/benchmark_scenes.hpp"
+#include "cases/catalogue/scenes/benchmark_scenes.hpp"
 #include "tests/cases/closed_form/integrate.hpp"
 
 namespace handhold::closed_form {

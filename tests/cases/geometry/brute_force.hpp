@@ -9,7 +9,7 @@
 
 #include <Eigen/Geometry>
 
-#include "cases/geometry/mesh.hpp"
+#include "cases/model/mesh.hpp"
 
 namespace handhold::brute {
 

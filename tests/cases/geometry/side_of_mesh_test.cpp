@@ -8,9 +8,9 @@
 #include <CGAL/Surface_mesh.h>
 #include <gtest/gtest.h>
 
-#include "cases/geometry/mesh_import.hpp"
 #include "cases/geometry/shapes.hpp"
 #include "cases/geometry/voxelizer.hpp"
+#include "cases/input/mesh/mesh_import.hpp"
 #include "tests/cases/geometry/brute_force.hpp"
 
 namespace handhold {

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "cases/error.hpp"
 #include "cases/geometry/shapes.hpp"
+#include "cases/model/input_error.hpp"
 
 namespace handhold {
 namespace {

@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "cases/error.hpp"
 #include "cases/hand/trace_builder.hpp"
+#include "cases/model/input_error.hpp"
 
 namespace handhold {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "cases/hand/trace_summary.hpp"
-#include "tests/cases/hand/trace_fixtures.hpp"
+#include "cases/input/trace/trace_summary.hpp"
+#include "tests/cases/input/trace_fixtures.hpp"
 
 namespace handhold {
 namespace {

@@ -1,7 +1,7 @@
 #include <cstdio>
 
 #include <handhold/cases/catalogue/case.hpp>
-#include <handhold/compare/engines.hpp>
+#include <handhold/compare/engine/engines.hpp>
 
 // The installed package has its engines and its catalogue.
 int main() {

@@ -1,7 +1,7 @@
 #include <cstdio>
 
-#include <handhold/cases/error.hpp>
-#include <handhold/cases/hand/hand_model.hpp>
+#include <handhold/cases/model/hand_model.hpp>
+#include <handhold/cases/model/input_error.hpp>
 #include <handhold/realtime/world.hpp>
 
 // The installed package links, and runs, with Eigen alone.

@@ -4,7 +4,7 @@
 
 #include "cases/closed_form/printed_grasp.hpp"
 #include "cases/closed_form/printed_law.hpp"
-#include "cases/geometry/voxel_field.hpp"
+#include "cases/model/voxel_field.hpp"
 #include "realtime/paper/anchor.hpp"
 #include "tests/realtime/paper/rig.hpp"
 

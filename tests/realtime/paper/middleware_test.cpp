@@ -8,10 +8,10 @@
 #include <new>
 #include <random>
 
-#include "cases/error.hpp"
 #include "cases/hand/hand_motion.hpp"
-#include "cases/hand/trace_reader.hpp"
-#include "cases/scene/placement.hpp"
+#include "cases/hand/placement.hpp"
+#include "cases/input/trace/trace_reader.hpp"
+#include "cases/model/input_error.hpp"
 #include "realtime/paper/anchor.hpp"
 #include "realtime/paper/hand_contact.hpp"
 #include "realtime/paper/voxel_walk.hpp"

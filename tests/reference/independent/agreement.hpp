@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "cases/recording.hpp"
+#include "cases/model/recording.hpp"
 #include "tests/reference/independent/solver.hpp"
 
 namespace handhold::independent {

@@ -1,4 +1,4 @@
-// The reference against an independent solver, on every certification scene (catalogue/certification_scenes).
+// The reference against an independent solver, on every certification scene (catalogue/scenes/certification_scenes).
 //
 // Independent in full where faces are flat: they are analytic planes here and a spline of voxels there. On the ball
 // both work on the same numbers in the voxels, each through its own spline code; how far the voxels are from the exact
@@ -12,9 +12,9 @@
 
 #include <gtest/gtest.h>
 
-#include "cases/catalogue/certification_scenes.hpp"
+#include "cases/catalogue/scenes/certification_scenes.hpp"
 #include "cases/closed_form/pulled_grip.hpp"
-#include "cases/recording_csv.hpp"
+#include "cases/input/recording/recording_csv.hpp"
 #include "reference/reference.hpp"
 #include "tests/reference/independent/agreement.hpp"
 

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "cases/catalogue/certification_scenes.hpp"
+#include "cases/catalogue/scenes/certification_scenes.hpp"
 #include "reference/reference.hpp"
 #include "tests/reference/independent/agreement.hpp"
 

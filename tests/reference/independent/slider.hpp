@@ -3,8 +3,8 @@
 #include <memory>
 #include <optional>
 
-#include "cases/recording.hpp"
-#include "cases/scene/scene.hpp"
+#include "cases/model/recording.hpp"
+#include "cases/model/scene.hpp"
 #include "tests/reference/independent/surface.hpp"
 
 namespace handhold::independent {

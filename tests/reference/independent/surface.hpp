@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "cases/geometry/voxel_field.hpp"
+#include "cases/model/voxel_field.hpp"
 #include "tests/reference/independent/real.hpp"
 
 namespace handhold::independent {

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cases/catalogue/certification_scenes.hpp"
+#include "cases/catalogue/scenes/certification_scenes.hpp"
 
 namespace handhold::independent {
 namespace {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <limits>
 
-#include "cases/error.hpp"
+#include "cases/model/input_error.hpp"
 #include "tests/reference/rigid/problems.hpp"
 
 namespace handhold::reference::rigid::testing {

@@ -15,7 +15,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cases/scene/friction.hpp"
+#include "cases/model/friction.hpp"
 #include "reference/rigid/rigid.hpp"
 
 namespace handhold::reference::rigid::testing {

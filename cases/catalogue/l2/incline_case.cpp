@@ -1,0 +1,109 @@
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "cases/catalogue/builders/scenes.hpp"
+#include "cases/catalogue/families.hpp"
+#include "cases/closed_form/incline.hpp"
+
+namespace handhold::catalogue {
+namespace {
+
+constexpr double mass = 0.2;
+constexpr double stiffness = 500;  // [N/m] per sample: 0.43 mm deep
+constexpr double distance = 0.1;   // D [m]
+constexpr Friction friction{.mu_static = 0.5, .mu_dynamic = 0.4};
+const Eigen::Vector3d down_hill = Eigen::Vector3d::UnitX();
+
+closed_form::Incline incline(double slope) { return {.slope = slope, .gravity = 9.81, .friction = friction}; }
+
+/// The palm stays level and gravity leans by θ. The springs start at the load of rest or, to slide at once, at the lag
+/// of breakaway (at the kinetic lag they would stick).
+Scene scene(double slope, double duration, bool sliding) {
+  Scene scene;
+  scene.name = fmt::format("C01 incline {:.6g} rad", slope);
+  scene.duration = duration;
+  scene.gravity = 9.81 * Eigen::Vector3d(std::sin(slope), 0, -std::cos(slope));
+  scene.contact = {.stiffness = stiffness, .damping = 0.5};
+  const double depth = mass * -scene.gravity.z() / (8 * stiffness);
+  const double lag = sliding ? friction.mu_static * depth : mass * scene.gravity.x() / (8 * stiffness);
+
+  Body body = block({5 * edge, edge, edge / 2}, 2 * voxel, mass, friction);
+  body.mobility = Mobility::translation;  // a point mass: no tipping in this case
+  body.X_WO.p.z() = edge / 4 - depth;
+  scene.bodies = {body};
+  const auto still = [](double) -> Eigen::Vector3d { return Eigen::Vector3d::Zero(); };
+  scene.hands = {hand_of({palm_patch({.lag_W = -lag * down_hill, .slipping = sliding}, still)}, duration)};
+  return scene;
+}
+
+Run sliding_run(double slope) {
+  const closed_form::Incline truth = incline(slope);
+  const double t = 36.0 / 90;  // ends on a frame, just past D
+  const double a = acceleration(truth);
+  const double v = speed_at(truth, distance);
+  Run run{.name = "slides", .scene = [=] { return scene(slope, t, true); }};
+  run.expectations = {
+      {.quantity = "time to slide 0.1 m",
+       .unit = "s",
+       .truth = time_at(truth, distance),
+       .source = "L1 = L2: t = sqrt(2 D / a), a = g (sin th - mu_d cos th)",
+       .measure = {.kind = Measure::Kind::time_at_displacement, .axis = down_hill, .level = distance},
+       .reference = reference_limit(),
+       .realtime = {.per_substep = 0.51, .reason = "the bias a t h / 2 of the distance (R03) over the speed a t"}},
+      {.quantity = "speed at t = 0.4 s",
+       .unit = "m/s",
+       .truth = a * t,
+       .source = "L1 = L2: v = a t",
+       .measure = {.kind = Measure::Kind::speed, .axis = down_hill, .at = t},
+       .reference = reference_limit(),
+       .realtime = {.value = 1e-12 * v,
+                    .reason = "exact for a constant force (R03): rounding",
+                    .resolution = 1e-14 * v}},
+      {.quantity = "slip at t = 0.4 s",
+       .unit = "m",
+       .truth = slip(truth, t),
+       .source = "L1 = L2: x = a t^2 / 2",
+       .measure = {.kind = Measure::Kind::displacement, .axis = down_hill, .at = t},
+       .reference = reference_limit(),
+       .realtime = euler_bias_limit(a * t),
+       .converges = true}};
+  run.curve = Curve{"slip [m]", {.kind = Measure::Kind::displacement, .axis = down_hill}, [truth](double s) {
+                      return slip(truth, s);
+                    }};
+  return run;
+}
+
+/// tan θ = `share` of mu_s.
+Run threshold_run(double share) {
+  const double slope = std::atan(share * friction.mu_static);
+  const double duration = 0.3;
+  const bool truth = holds(incline(slope));
+  // Slipping, it moves further than this by far; sticking, only its springs could give way, by the lag.
+  const double level = 0.5 * slip(incline(std::atan(1.02 * friction.mu_static)), duration);
+  Run run{.name = fmt::format("{} of the threshold", share), .scene = [=] { return scene(slope, duration, false); }};
+  run.expectations = {{.quantity = "holds",
+                       .truth = truth ? 1.0 : 0.0,
+                       .source = "L1 = L2: tan th <= mu_s",
+                       .measure = {.kind = Measure::Kind::held, .axis = down_hill, .level = level},
+                       .reference = exact_limit(),
+                       .realtime = exact_limit()}};
+  return run;
+}
+
+}  // namespace
+
+Case incline_case() {
+  return {.id = "C01",
+          .title = "Incline: stick threshold, slide time and speed",
+          .level = "L1",
+          .statement = "A 0.2 kg block on a palm tilted by th = 0.5 rad is let go; mu_s = 0.5, mu_d = 0.4.",
+          .formula = "holds iff tan th <= mu_s; else a = g (sin th - mu_d cos th), t = sqrt(2 D / a), v = sqrt(2 a D)",
+          .note =
+              "k = 500 N/m, c = 0.5 N s/m, 8 samples, rotation locked. Started at rest and slipping, normal force and "
+              "kinetic "
+              "friction never change, so the compliant element (L2) moves exactly as L1.",
+          .runs = {sliding_run(0.5), threshold_run(0.98), threshold_run(1.02)}};
+}
+
+}  // namespace handhold::catalogue

@@ -1,0 +1,111 @@
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "cases/catalogue/families.hpp"
+#include "cases/catalogue/l2/normal_shake_scene.hpp"
+#include "cases/closed_form/ratchet.hpp"
+
+namespace handhold::catalogue {
+namespace {
+
+constexpr int half_frames = 47;     // of half a period
+constexpr double step = 1.0 / 360;  // sub-step at which the implicit step's damping is evaluated [s]
+const Eigen::Vector3d down = -Eigen::Vector3d::UnitZ();
+
+closed_form::Ratchet creeping(double damping) {
+  closed_form::Ratchet r{.mu = 0.5, .damping = damping};
+  r.pinch = {.stiffness = 800, .preload = 0.003, .amplitude = 1, .frequency = std::numbers::pi * 90 / half_frames};
+  r.pinch.amplitude = 0.001 / relative_amplitude(r.pinch);
+  return r;
+}
+
+Run creeping_run() {
+  const closed_form::Ratchet r = creeping(0);
+  const double cycle = 2 * half_frames / 90.0, end = 2 * cycle;
+  const closed_form::RatchetMotion truth(r, 4), stepped(creeping(r.pinch.stiffness * step), 4);
+  Run run{.name = "Z = 1 mm creeps", .scene = [=] {
+            return normal_shake_scene(r.pinch, {r.mu, r.mu}, r.gravity, end);
+          }};
+  const std::string source = "L2: one slider oscillator each half period, by turns";
+  // The hand is answered late by w h W²/(W² − w²) of phase, 1.005 h here.
+  const auto shift = [](double a, double b) { return 2 * std::abs(a - b) / step; };
+  const std::string analysis =
+      "twice the shift that a damping of h K gives (backward error analysis of the implicit step), + the late answer "
+      "of "
+      "the normal springs";
+  run.expectations = {
+      {.quantity = "first slip",
+       .unit = "s",
+       .truth = truth.first_breakaway().t,
+       .source = source,
+       .measure = {.kind = Measure::Kind::event_time, .event = EventKind::breakaway},
+       .reference = absolute_reference_limit(),
+       .realtime = {.per_substep = 2.03 + shift(truth.first_breakaway().t, stepped.first_breakaway().t),
+                    .reason = "shows at the end of its sub-step, + " + analysis}},
+      {.quantity = "first stop",
+       .unit = "s",
+       .truth = truth.first_restick().t,
+       .source = source,
+       .measure = {.kind = Measure::Kind::event_time, .event = EventKind::restick},
+       .reference = absolute_reference_limit(
+           1 + std::sqrt(2 * r.pinch.stiffness / r.pinch.mass) / std::abs(truth.first_restick().rate),
+           "a speed of the oscillation is known to w times its place; over the rate at which it vanishes"),
+       .realtime = {.per_substep = 2.03 + shift(truth.first_restick().t, stepped.first_restick().t),
+                    .reason = "shows at the end of its sub-step, + " + analysis}}};
+  for (const double t : {cycle, end}) {
+    const double creep = truth.creep(t);
+    run.expectations.push_back(
+        {.quantity = t < end ? "creep in the first cycle" : "creep in two cycles",
+         .unit = "m",
+         .truth = creep,
+         .source = source,
+         .measure = {.kind = Measure::Kind::displacement, .axis = down, .at = t},
+         .reference = absolute_reference_limit(),
+         .realtime = {.per_substep = shift(creep, stepped.creep(t)) + 1.03 * r.pinch.frequency * creep,
+                      .reason = analysis}});
+  }
+  run.curve = Curve{
+      "creep [m]", {.kind = Measure::Kind::displacement, .axis = down}, [truth](double t) { return truth.creep(t); }};
+  return run;
+}
+
+/// As slow as case G11's, and for its reason.
+Run threshold_run(double share) {
+  closed_form::Ratchet r;
+  r.pinch = {.stiffness = 800, .preload = 0.003, .amplitude = 1, .frequency = 8};
+  r.pinch.amplitude = share * shakedown_amplitude(r) / relative_amplitude(r.pinch);
+  Run run{.name = fmt::format("{} of the threshold", share), .scene = [=] {
+            return normal_shake_scene(r.pinch, {r.mu, r.mu}, r.gravity, 0.9);
+          }};
+  run.expectations = {{.quantity = "shakes down",
+                       .truth = share < 1 ? 1.0 : 0.0,
+                       .source = "L2: iff mu K (d0 - Z) >= m g/2",
+                       .measure = {.kind = Measure::Kind::no_event, .event = EventKind::breakaway},
+                       .reference = exact_limit(),
+                       .realtime = exact_limit()}};
+  return run;
+}
+
+}  // namespace
+
+Case ratchet_case() {
+  return {
+      .id = "G06",
+      .title = "Pinch shaken along the normals: creeps although 2 mu N0 > m g",
+      .level = "L2",
+      .statement =
+          "Two fingers hold a 0.2 kg cube, 3 mm deep each (2.4 N), mu = 0.5, and shake along their normals so that the "
+          "depths change by 1 mm.",
+      .formula =
+          "L1: holds iff 2 mu K d0 >= m g. L2: shakes down iff mu K (d0 - Z) >= m g/2; else creeps, slowly "
+          "shaken, 2 (m g - 2 mu K (d0 - Z))/K a cycle",
+      .note =
+          "K = 800 N/m a finger, undamped, rotation locked; truth counts the cube's inertia, at 6 rad/s: 0.72 mm in "
+          "the first cycle, where slow shaking gives 0.905 mm each (Z = 1.5 mm, as in the catalogue, would let both "
+          "fingers slip at once). Threshold runs: w = 8 rad/s.",
+      .runs = {creeping_run(), threshold_run(0.98), threshold_run(1.02)}};
+}
+
+}  // namespace handhold::catalogue

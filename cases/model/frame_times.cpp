@@ -1,0 +1,54 @@
+#include "cases/model/frame_times.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "cases/model/input_error.hpp"
+
+namespace handhold {
+namespace {
+
+constexpr double sliver = 1e-9;    // [s]
+constexpr double shortest = 1e-6;  // [s]
+
+}  // namespace
+
+std::vector<double> regular_frames(double duration, double rate) {
+  std::vector<double> times;
+  for (long k = 1; times.empty() || times.back() < duration; ++k) {
+    const double t = double(k) / rate;
+    times.push_back(t > duration - sliver ? duration : t);
+  }
+  return times;
+}
+
+std::vector<double> trace_frames(const Scene& scene) {
+  std::vector<double> seen;
+  for (const Hand& hand : scene.hands) {
+    const std::vector<double> times = hand.motion->seen();
+    seen.insert(seen.end(), times.begin(), times.end());
+  }
+  std::sort(seen.begin(), seen.end());
+  std::vector<double> times;
+  double last = 0;
+  for (const double t : seen) {
+    if (t - last < shortest || t > scene.duration - shortest) continue;
+    times.push_back(last = t);
+  }
+  times.push_back(scene.duration);
+  return times;
+}
+
+void validate_frames(const std::vector<double>& times, double duration) {
+  double last = 0;
+  for (const double t : times) {
+    if (!(t > last)) throw InputError(fmt::format("frame at {} s after {} s: times must ascend (sort them)", t, last));
+    last = t;
+  }
+  if (!(last == duration))
+    throw InputError(fmt::format("last frame at {} s: must be at the end, {} s (add it)", last, duration));
+}
+
+}  // namespace handhold

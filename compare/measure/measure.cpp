@@ -1,0 +1,194 @@
+#include "compare/measure/measure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace handhold::compare {
+namespace {
+
+using catalogue::Measure;
+using Kind = Measure::Kind;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Place and velocity of body 0's centre of mass along an axis, relative to the phalanx of the scene's first patch.
+struct Along {
+  double x{}, v{};
+};
+
+class Reader {
+ public:
+  Reader(const Scene& scene, const Recording& recording, const Measure& what)
+      : scene_(scene), recording_(recording), axis_(what.axis) {
+    if (!scene.hands.empty()) {
+      motion_ = scene.hands.front().motion.get();
+      if (!scene.hands.front().given.empty()) phalanx_ = scene.hands.front().given.front().phalanx;
+    }
+    if (!recording.frames.empty())
+      start_ = absolute(recording.frames.front().t, recording.frames.front().bodies.front());
+  }
+
+  [[nodiscard]] Along at(double t, const BodyState& body) const {
+    const Along now = absolute(t, body);
+    return {now.x - start_.x, now.v};
+  }
+
+  /// At any instant within the recording, by the cubic between its two frames.
+  [[nodiscard]] Along at(double t) const {
+    const auto& frames = recording_.frames;
+    if (frames.empty() || t < frames.front().t || t > frames.back().t + 1e-12) return {nan, nan};
+    auto next = std::lower_bound(frames.begin(), frames.end(), t, [](const Frame& f, double s) { return f.t < s; });
+    if (next == frames.end()) --next;
+    if (std::abs(next->t - t) < 1e-12) return at(next->t, next->bodies.front());
+    const Frame& a = *(next - 1);
+    const Frame& b = *next;
+    const Along hand{hand_along(t), hand_speed(t)};
+    const Along A = object(a.bodies.front()), B = object(b.bodies.front());
+    const double h = b.t - a.t, s = (t - a.t) / h;
+    const double x = A.x * (1 + 2 * s) * (1 - s) * (1 - s) + B.x * s * s * (3 - 2 * s) +
+                     h * (A.v * s * (1 - s) * (1 - s) - B.v * s * s * (1 - s));
+    const double v = (B.x - A.x) / h * 6 * s * (1 - s) + A.v * (1 - s) * (1 - 3 * s) + B.v * s * (3 * s - 2);
+    return {x - hand.x - start_.x, v - hand.v};
+  }
+
+ private:
+  [[nodiscard]] Along object(const BodyState& body) const {
+    const Eigen::Vector3d& center_O = scene_.bodies.front().inertia.center;
+    const Eigen::Vector3d arm = body.X_WO.R * center_O;
+    return {axis_.dot(body.X_WO.p + arm), axis_.dot(body.V_WO.v + body.V_WO.w.cross(arm))};
+  }
+  [[nodiscard]] double hand_along(double t) const { return motion_ ? axis_.dot(motion_->pose(phalanx_, t).p) : 0; }
+  [[nodiscard]] double hand_speed(double t) const { return motion_ ? axis_.dot(motion_->twist(phalanx_, t).v) : 0; }
+  [[nodiscard]] Along absolute(double t, const BodyState& body) const {
+    const Along o = object(body);
+    return {o.x - hand_along(t), o.v - hand_speed(t)};
+  }
+
+  const Scene& scene_;
+  const Recording& recording_;
+  Eigen::Vector3d axis_;
+  const HandMotion* motion_{};
+  int phalanx_{palm};
+  Along start_{};
+};
+
+const Event* find_event(const Recording& recording, const Measure& what) {
+  int left = what.occurrence;
+  for (const Event& event : recording.events)
+    if (event.kind == what.event && --left == 0) return &event;
+  return nullptr;
+}
+
+/// Angle of R about `axis` (its twist part), in (−π, π].
+double twist_angle(const Eigen::Quaterniond& R, const Eigen::Vector3d& axis) {
+  return 2 * std::atan2(R.vec().dot(axis), R.w());
+}
+
+/// Unwrapped over the frames; the last piece, to `state`, must be less than half a turn.
+double rotation(const Recording& recording, const Measure& what, double t, const BodyState* state) {
+  double angle = 0;
+  Eigen::Quaterniond last = recording.frames.front().bodies.front().X_WO.R;
+  const auto add = [&](const Eigen::Quaterniond& R) {
+    angle += std::remainder(twist_angle(R * last.conjugate(), what.axis), 2 * std::numbers::pi);
+    last = R;
+  };
+  for (const Frame& frame : recording.frames) {
+    if (frame.t > t + 1e-12) break;
+    add(frame.bodies.front().X_WO.R);
+    if (!state && std::abs(frame.t - t) < 1e-12) return angle;
+  }
+  if (!state) return nan;  // only asked for on frames
+  add(state->X_WO.R);
+  return angle;
+}
+
+double time_at(const Reader& reader, const Recording& recording, double level) {
+  for (std::size_t i = 1; i < recording.frames.size(); ++i) {
+    double a = recording.frames[i - 1].t, b = recording.frames[i].t;
+    if (!(reader.at(b).x >= level)) continue;
+    for (int k = 0; k < 60; ++k) {
+      const double m = 0.5 * (a + b);
+      (reader.at(m).x < level ? a : b) = m;
+    }
+    return b;
+  }
+  return nan;
+}
+
+double held(const Reader& reader, const Recording& recording, double level) {
+  for (const Frame& frame : recording.frames)
+    if (!(std::abs(reader.at(frame.t, frame.bodies.front()).x) < level)) return 0;
+  return 1;
+}
+
+/// The frame at that instant; none between frames.
+const Frame* frame_at(const Recording& recording, double t) {
+  for (const Frame& frame : recording.frames)
+    if (std::abs(frame.t - t) < 1e-12) return &frame;
+  return nullptr;
+}
+
+bool chosen(const ContactState& contact, const Measure& what) {
+  return contact.id.body == 0 && (what.phalanx < 0 || contact.id.phalanx == what.phalanx) &&
+         (what.sample < 0 || contact.id.sample == what.sample);
+}
+
+/// Force or torque of the chosen samples.
+double load(const Recording& recording, const Measure& what) {
+  const Frame* frame = what.at ? frame_at(recording, *what.at) : nullptr;
+  if (!frame) return nan;
+  double sum = 0;
+  for (const ContactState& c : frame->contacts) {
+    if (!chosen(c, what)) continue;
+    const Eigen::Vector3d part = what.kind == Kind::force ? c.f_W : (c.C_W - what.point).cross(c.f_W).eval();
+    sum += what.axis.dot(part);
+  }
+  return sum;
+}
+
+double count(const Recording& recording, EventKind kind) {
+  return double(
+      std::count_if(recording.events.begin(), recording.events.end(), [&](const Event& e) { return e.kind == kind; }));
+}
+
+}  // namespace
+
+double measure(const Scene& scene, const Recording& recording, const Measure& what) {
+  if (recording.frames.empty() || recording.outcome != Outcome::complete) return nan;
+  const Reader reader(scene, recording, what);
+  const Event* event = find_event(recording, what);
+  const auto along = [&] {
+    if (what.at) return reader.at(*what.at);
+    return event ? reader.at(event->t, event->body) : Along{nan, nan};
+  };
+  switch (what.kind) {
+    case Kind::event_time:
+      return event ? event->t : nan;
+    case Kind::displacement:
+      return along().x;
+    case Kind::speed:
+      return along().v;
+    case Kind::time_at_displacement:
+      return time_at(reader, recording, what.level);
+    case Kind::rotation:
+      if (what.at) return rotation(recording, what, *what.at, nullptr);
+      return event ? rotation(recording, what, event->t, &event->body) : nan;
+    case Kind::held:
+      return held(reader, recording, what.level);
+    case Kind::no_event:
+      return event ? 0 : 1;
+    case Kind::event_count:
+      return count(recording, what.event);
+    case Kind::force:
+    case Kind::torque:
+      return load(recording, what);
+    case Kind::dissipated: {
+      const Frame* frame = what.at ? frame_at(recording, *what.at) : nullptr;
+      return frame ? frame->energy.dissipated : nan;
+    }
+  }
+  return nan;
+}
+
+}  // namespace handhold::compare

@@ -1,0 +1,225 @@
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "cases/input/recording/recording_csv.hpp"
+#include "cases/input/trace/trace_csv.hpp"
+#include "cases/model/frame_times.hpp"
+#include "cases/model/input_error.hpp"
+#include "compare/engine/drawn_hand.hpp"
+#include "compare/engine/engines.hpp"
+#include "compare/measure/grasp.hpp"
+#include "reports/cli/commands.hpp"
+#include "reports/cli/interrupt.hpp"
+#include "reports/cli/option_checks.hpp"
+#include "reports/cli/progress.hpp"
+#include "reports/cli/scene_source.hpp"
+#include "reports/data/grasp_text.hpp"
+#include "reports/data/text.hpp"
+#include "reports/data/write_report.hpp"
+
+namespace handhold::reports {
+namespace {
+
+struct RunCommand {
+  SceneRequest request{};
+  compare::EngineOptions engine{};
+  bool frames_of_trace{false};
+  std::string engine_name{"both"};
+  std::string visual_hand{};  ///< "whole", "finger"; empty: none
+  std::string out{};
+};
+
+struct TimedRecording {
+  Recording recording{};
+  double seconds{};
+};
+
+TimedRecording simulate(const std::string& engine, const NamedScene& named, const compare::EngineOptions& options) {
+  ProgressLine progress;
+  progress.step(fmt::format("{} {}", engine, named.name));
+  const auto start = std::chrono::steady_clock::now();
+  TimedRecording out;
+  out.recording = compare::make_engine(engine)->simulate(named.scene, options, [&](double t) {
+    progress.update(fmt::format("{:.2f} of {:.2f} s", t, named.scene.duration));
+    return !interrupted();
+  });
+  out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return out;
+}
+
+std::vector<std::string> engine_choices() {
+  std::vector<std::string> names = compare::engine_names();
+  names.emplace_back("both");
+  return names;
+}
+
+/// "both": the reference and the real-time path.
+std::vector<std::string> engines(const std::string& name) {
+  return name == "both" ? std::vector<std::string>{"reference", "realtime"} : std::vector<std::string>{name};
+}
+
+/// The drawn hand beside the real-time path: prints what it did, and writes it as a trace.
+void draw(const NamedScene& named, const Recording& recording, const RunCommand& command,
+          const std::filesystem::path& out) {
+  const compare::DrawnMode mode =
+      command.visual_hand == "whole" ? compare::DrawnMode::whole : compare::DrawnMode::finger;
+  const compare::DrawnHands drawn = compare::draw_hands(named.scene, recording, mode);
+  fmt::print("{}", drawn_hands_text(drawn));
+  if (out.empty()) return;
+  const std::filesystem::path file = out / recording.engine / "drawn_hand.csv";
+  write_trace_csv(drawn.trace, file.string());
+  fmt::print("{}", summary_line("trace", file.string()));
+}
+
+/// Runs the engines on one scene, prints what they say, and writes their recordings. False if a run did not get to its
+/// end.
+bool run_scene(const NamedScene& named, const RunCommand& command, const std::filesystem::path& out) {
+  fmt::print("{}", scene_text(named));
+  std::vector<Recording> recordings;
+  bool complete = true;
+  compare::EngineOptions options = command.engine;
+  if (command.frames_of_trace) options.frame_times = trace_frames(named.scene);
+  for (const std::string& engine : engines(command.engine_name)) {
+    TimedRecording timed = simulate(engine, named, options);
+    fmt::print("{}", grasp_text(compare::summarize(named.scene, timed.recording), timed.recording, timed.seconds));
+    if (!out.empty()) {
+      write_recording(timed.recording, out / engine);
+      fmt::print("  recording         {}\n", (out / engine).string());
+    }
+    if (engine == "realtime" && !command.visual_hand.empty()) draw(named, timed.recording, command, out);
+    complete = complete && timed.recording.outcome == Outcome::complete;
+    recordings.push_back(std::move(timed.recording));
+    if (interrupted()) break;
+  }
+  if (recordings.size() == 2) fmt::print("{}", difference_text(compare::difference(recordings[0], recordings[1])));
+  return complete;
+}
+
+/// "slides, 0.98 of the threshold" as the name of a folder.
+std::string folder_name(const std::string& name) {
+  std::string out;
+  for (const char c : name) out += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' ? c : '-';
+  return out;
+}
+
+/// Before the first run, not after it.
+void check_visual_hand(const RunCommand& command, const std::vector<NamedScene>& scenes) {
+  if (command.visual_hand.empty()) return;
+  if (command.engine_name != "both" && command.engine_name != "realtime")
+    throw InputError("--visual-hand with --engine " + command.engine_name +
+                     ": is drawn beside the real-time path (use --engine realtime, or both)");
+  for (const NamedScene& named : scenes) compare::check_drawable(named.scene);
+}
+
+void execute(const RunCommand& command, Invocation& invocation) {
+  if (!command.out.empty()) make_writable_folder(command.out);  // now, not after the first run
+  const std::vector<NamedScene> scenes = load_scenes(command.request);
+  check_visual_hand(command, scenes);
+  for (std::size_t i = 0; i < scenes.size() && !interrupted(); ++i) {
+    if (i > 0) fmt::print("\n");
+    std::filesystem::path out = command.out;
+    if (!out.empty() && scenes.size() > 1) out /= folder_name(scenes[i].name);
+    if (!run_scene(scenes[i], command, out)) invocation.exit_code = exit_gate_failed;
+  }
+  if (!interrupted()) return;
+  fmt::print("Interrupted: the last run is partial, and later ones are missing.\n");
+  invocation.exit_code = exit_gate_failed;
+}
+
+void add_source(CLI::App& command, SceneRequest& request) {
+  CLI::Option* scene = command.add_option("scene", request.scene_file, "scene file (TOML)");
+  CLI::Option* of_case =
+      command.add_option("--case", request.case_name, "a case of the catalogue, C01, or one run of it, C01/NAME");
+  CLI::Option* trace = command.add_option("--trace", request.trace_file, "recording of hands, with --mesh");
+  CLI::Option* mesh =
+      command.add_option("--mesh", request.object, "the object: a mesh file or shape:kind, with --trace");
+  scene->excludes(of_case)->excludes(trace)->excludes(mesh);
+  of_case->excludes(trace)->excludes(mesh);
+  trace->needs(mesh);
+  mesh->needs(trace);
+  command.add_option("--scale", request.scale, "the mesh file's units to metres")
+      ->check(number_in(1e-9, 1e9))
+      ->needs(mesh)
+      ->capture_default_str();
+  command
+      .add_option("--place", request.place,
+                  "'auto' puts the object into the first grasp; or its pose at t = 0, x,y,z[,qw,qx,qy,qz] [m]")
+      ->needs(mesh)
+      ->capture_default_str();
+  command
+      .add_option("--held-until", request.held_until,
+                  "a support holds the object up, as in thick oil, until then [s of the scene]")
+      ->check(number_in(0, 3600))
+      ->needs(mesh);
+  command.add_option("--hand", request.hand, "which hand of the trace, from 0")
+      ->check(number_in(0, 15))
+      ->needs(mesh)
+      ->capture_default_str();
+  command.add_option("--material", request.material, "friction and density, see handhold list --materials")
+      ->needs(mesh)
+      ->capture_default_str();
+  CLI::Option* mass =
+      command.add_option("--mass", request.mass, "of the object [kg]")->check(number_in(1e-6, 1e3))->needs(mesh);
+  command.add_option("--density", request.density, "of the object [kg/m³]")
+      ->check(number_in(1e-3, 1e5))
+      ->needs(mesh)
+      ->excludes(mass);
+  command.add_option("--stiffness", request.stiffness, "of each contact sample [N/m]")->check(number_in(1e-3, 1e9));
+  command.add_option("--damping", request.damping, "of each contact sample [N s/m]")->check(number_in(0, 1e6));
+  command.add_option("--duration", request.duration, "seconds to simulate")->check(number_in(1e-3, 3600));
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, Invocation& invocation) {
+  CLI::App* command =
+      app.add_subcommand("run", "Simulate one scene, one case, or an object in a recorded hand, and say what happened");
+  const auto options = std::make_shared<RunCommand>();
+  add_source(*command, options->request);
+  command->add_option("--engine", options->engine_name, "which engine")
+      ->check(CLI::IsMember(engine_choices()))
+      ->capture_default_str();
+  command->add_option("--frame-rate", options->engine.frame_rate, "frames a second [Hz]")
+      ->check(number_in(1, 1e4))
+      ->capture_default_str();
+  command
+      ->add_flag("--frames-of-trace", options->frames_of_trace,
+                 "frames are those of the recorded hand, instead of a fixed rate")
+      ->disable_flag_override()
+      ->excludes(command->get_option("--frame-rate"));
+  command
+      ->add_flag("--exact-mesh", options->engine.exact_mesh,
+                 "the reference touches the triangles instead of the voxel field: the difference is the voxels' error")
+      ->disable_flag_override();
+  command->add_option("--substeps", options->engine.substeps, "sub-steps a frame of the real-time path")
+      ->check(number_in(1, 1000))
+      ->capture_default_str();
+  command->add_option("--order", options->engine.order, "of the real-time path: 1 implicit Euler, 2 implicit midpoint")
+      ->check(CLI::IsMember({1, 2}))
+      ->capture_default_str();
+  command->add_option("--accuracy", options->engine.accuracy, "of the reference's integrator")
+      ->check(number_in(1e-13, 1e-3))
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--visual-hand", options->visual_hand,
+          "play the hand that a user is shown beside the real-time path: the whole hand, or each finger that touches, "
+          "stands still on the object; with --out also a trace, realtime/drawn_hand.csv")
+      ->check(CLI::IsMember({"whole", "finger"}));
+  command->add_option("--out", options->out, "folder for the recordings as CSV, one folder an engine");
+  command->footer(
+      "Examples:\n  handhold run scene.toml --out recordings\n  handhold run --case C01 --engine realtime\n"
+      "  handhold run --trace pinch-57fps.json.lz --mesh mug.obj --material glass\n"
+      "  handhold run --trace pinch-57fps.json.lz --mesh mug.obj --engine realtime --visual-hand whole --out drawn\n"
+      "Exit code 1: a run did not get to its end (diverged, stalled, interrupted).");
+  command->callback([options, &invocation] { execute(*options, invocation); });
+}
+
+}  // namespace handhold::reports

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cases/model/scene.hpp"
+
+namespace handhold::reports {
+
+/// What a user asks to simulate: exactly one of a scene file, a case, or a trace with an object.
+struct SceneRequest {
+  std::string scene_file{};
+  std::string case_name{};  ///< "C01", or "C01/slides" for one of its runs
+  std::string trace_file{}, object{};
+  double scale{1};  ///< of the object's file
+  std::string place{
+      "auto"};  ///< "auto": into the hand's first grasp; or a pose at t = 0, "x,y,z" or "x,y,z,qw,qx,qy,qz" [m]
+  std::optional<double>
+      held_until{};  ///< a support keeps the object until then [s of the scene]; default: placement's, else 0
+  int hand{0};       ///< of the trace
+  std::string material{"wood"};                              ///< of the object
+  std::optional<double> mass{};                              ///< [kg]
+  std::optional<double> density{};                           ///< [kg/m³]
+  std::optional<double> stiffness{}, damping{}, duration{};  ///< in place of the scene's own
+};
+
+struct NamedScene {
+  std::string name{};
+  Scene scene{};
+  std::string remarks{};  ///< repairs and warnings of meshes and traces, and what was placed where; lines
+};
+
+/// The scenes asked for: one, or one a run of a case. Throws InputError.
+[[nodiscard]] std::vector<NamedScene> load_scenes(const SceneRequest& request);
+
+/// What the scene holds, for the terminal.
+[[nodiscard]] std::string scene_text(const NamedScene& named);
+
+}  // namespace handhold::reports
