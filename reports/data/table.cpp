@@ -22,7 +22,7 @@ std::string paint(std::string_view text, Verdict v, const TableStyle& style) {
   return paint(text, v == Verdict::fail ? "1;31" : v == Verdict::vacuous ? "33" : "32", style);
 }
 
-std::string rule(char c) { return std::string(table_width, c) + "\n"; }
+std::string rule(char c) { return std::string(table_width, c).append("\n"); }
 
 std::string row(std::string_view quantity, std::string_view truth, std::string_view reference,
                 std::string_view realtime, std::string_view reference_error, std::string_view reference_limit,
