@@ -3,7 +3,9 @@ include(CMakePackageConfigHelpers)
 set(config_dir "${CMAKE_INSTALL_LIBDIR}/cmake/handhold")
 
 include(PrivateHeaders)
-foreach(folder IN ITEMS cases realtime reference compare reports)
+set(folders ${parts})
+list(REMOVE_DUPLICATES folders)
+foreach(folder IN ITEMS cases/model ${folders})
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}"
     "${PROJECT_SOURCE_DIR}/${folder}/*.hpp" "${PROJECT_SOURCE_DIR}/${folder}/*.h")
   list(FILTER headers EXCLUDE REGEX "${private_headers}")
@@ -13,6 +15,14 @@ foreach(folder IN ITEMS cases realtime reference compare reports)
   endforeach()
 endforeach()
 
+set(full_found FALSE)
+set(reference_found FALSE)
+if(TARGET handhold_reports)
+  set(full_found TRUE)
+endif()
+if(TARGET handhold_reference)
+  set(reference_found TRUE)
+endif()
 configure_package_config_file(
   "${CMAKE_CURRENT_LIST_DIR}/handholdConfig.cmake.in" "${PROJECT_BINARY_DIR}/handholdConfig.cmake"
   INSTALL_DESTINATION "${config_dir}")

@@ -18,7 +18,7 @@ using handhold::PatchOptions;
 using handhold::phalanx_count;
 using handhold::Pose;
 using handhold::VoxelField;
-using handhold::realtime::HandFrame;
+using handhold::HandFrame;
 namespace paper = handhold::realtime::paper;
 
 struct hh_field {

@@ -2,16 +2,10 @@
 
 #include <array>
 
-#include "cases/model/hand_model.hpp"
+#include "cases/model/hand_frame.hpp"
 #include "cases/model/pose.hpp"
 
 namespace handhold::realtime {
-
-/// One hand at one frame: all that the real-time path ever sees of it.
-struct HandFrame {
-  bool present{false};
-  std::array<Pose, phalanx_count> X_WP{};
-};
 
 /// One hand between its last two frames, as a C1 path: cubic Hermite with velocities from backward differences of
 /// second order (3 x0 − 4 x1 + x2) / (2 dt), so that no future frame is needed and a frame rate adds no jumps of

@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "cases/hand/hand_motion.hpp"
+#include "cases/model/hand_motion.hpp"
 
 namespace handhold {
 

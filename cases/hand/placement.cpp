@@ -13,7 +13,7 @@
 #include "cases/geometry/mass_properties.hpp"
 #include "cases/hand/grasp_places.hpp"
 #include "cases/hand/grip.hpp"
-#include "cases/hand/hand_motion.hpp"
+#include "cases/hand/trace_spline.hpp"
 #include "cases/model/input_error.hpp"
 #include "cases/model/patch.hpp"
 
@@ -314,7 +314,7 @@ Placement place_in_hand(const Trace& trace, std::size_t hand, const VoxelField& 
     throw InputError(
         fmt::format("trace '{}' has {} hands: no hand {} (0 is the first)", trace.name, trace.hands.size(), hand));
   }
-  const HandMotion motion(trace, hand);
+  const TraceSpline motion(trace, hand);
   const Reach reach = look_at(motion);
   Candidate best;
   for (const Candidate& place : choose_places(reach, field, options)) {

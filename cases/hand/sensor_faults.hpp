@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "cases/hand/hand_motion.hpp"
+#include "cases/model/hand_motion.hpp"
 #include "cases/hand/trace.hpp"
 
 namespace handhold {

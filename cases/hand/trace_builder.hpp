@@ -11,7 +11,7 @@ namespace handhold {
 using PoseFunction = std::function<std::array<Pose, phalanx_count>(double t)>;
 
 /// Samples `poses` at `rate` [Hz] from `begin` to `end` [s], both included. Sample well beyond the scene's duration on
-/// both sides: the splines of HandMotion are natural at the ends, and their end effect decays by 3.7 a sample.
+/// both sides: the splines of TraceSpline are natural at the ends, and their end effect decays by 3.7 a sample.
 [[nodiscard]] Trace sample_trace(const std::string& name, Side side, const HandModel& model, const PoseFunction& poses,
                                  double begin, double end, double rate);
 

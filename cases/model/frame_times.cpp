@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include "cases/model/input_error.hpp"
+#include "cases/model/text.hpp"
 
 namespace handhold {
 namespace {
@@ -44,11 +43,11 @@ std::vector<double> trace_frames(const Scene& scene) {
 void validate_frames(const std::vector<double>& times, double duration) {
   double last = 0;
   for (const double t : times) {
-    if (!(t > last)) throw InputError(fmt::format("frame at {} s after {} s: times must ascend (sort them)", t, last));
+    if (!(t > last)) throw InputError(sentence("frame at ", t, " s after ", last, " s: times must ascend (sort them)"));
     last = t;
   }
   if (!(last == duration))
-    throw InputError(fmt::format("last frame at {} s: must be at the end, {} s (add it)", last, duration));
+    throw InputError(sentence("last frame at ", last, " s: must be at the end, ", duration, " s (add it)"));
 }
 
 }  // namespace handhold

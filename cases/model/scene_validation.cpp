@@ -6,11 +6,11 @@
 #include <string>
 
 #include <Eigen/Eigenvalues>
-#include <fmt/format.h>
 
 #include "cases/model/input_error.hpp"
 #include "cases/model/recording.hpp"
 #include "cases/model/scene.hpp"
+#include "cases/model/text.hpp"
 
 namespace handhold {
 namespace {
@@ -22,8 +22,6 @@ constexpr std::size_t most_samples = std::numeric_limits<std::uint8_t>::max();
 constexpr std::size_t most_hands = SampleId::of_body;
 
 [[noreturn]] void reject(const std::string& what) { throw InputError(what); }
-
-std::string print(const Eigen::Vector3d& v) { return fmt::format("[{}, {}, {}]", v.x(), v.y(), v.z()); }
 
 // Beyond these nothing is a hand with an object, and a simulation would run for ever or drown in rounding.
 constexpr double most_length = 1e3;          // [m]
@@ -37,19 +35,19 @@ constexpr double most_damping = 1e6;         // [N s/m]
 constexpr double most_duration = 24 * 3600;  // [s]
 
 void check_finite(const std::string& what, const Eigen::Vector3d& v, const char* unit, double most) {
-  if (!v.allFinite()) reject(fmt::format("{} = {}: must be finite (give three numbers in {})", what, print(v), unit));
-  if (v.norm() > most) reject(fmt::format("{} = {}: at most {:g} {} (check the unit)", what, print(v), most, unit));
+  if (!v.allFinite()) reject(sentence(what, " = ", v, ": must be finite (give three numbers in ", unit, ")"));
+  if (v.norm() > most) reject(sentence(what, " = ", v, ": at most ", most, " ", unit, " (check the unit)"));
 }
 
 void check_moments(const std::string& who, const Eigen::Matrix3d& J) {
   const double scale = J.diagonal().cwiseAbs().sum();
-  if (!J.allFinite()) reject(fmt::format("{}: inertia must be finite (check the mesh and its density)", who));
+  if (!J.allFinite()) reject(sentence(who, ": inertia must be finite (check the mesh and its density)"));
   if ((J - J.transpose()).cwiseAbs().maxCoeff() > inertia_tolerance * scale) {
-    reject(fmt::format("{}: inertia must be symmetric (set Jxy = Jyx, Jxz = Jzx, Jyz = Jzy)", who));
+    reject(sentence(who, ": inertia must be symmetric (set Jxy = Jyx, Jxz = Jzx, Jyz = Jzy)"));
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(J, Eigen::EigenvaluesOnly);
   const Eigen::Vector3d moments = solver.eigenvalues();  // ascending
-  const std::string given = fmt::format("{}: principal moments {} kg m^2", who, print(moments));
+  const std::string given = sentence(who, ": principal moments ", moments, " kg m^2");
   if (!(moments.x() > 0)) reject(given + ": must all be > 0 (give the inertia about the centre of mass)");
   if (moments.z() > moments.x() + moments.y() + inertia_tolerance * scale) {
     reject(given + ": the largest exceeds the sum of the others, which no solid has (check signs and units)");
@@ -60,12 +58,11 @@ void check_inertia(const std::string& who, const Body& body) {
   check_finite(who + ": center of mass", body.inertia.center, "m", most_length);
   if (body.mobility == Mobility::fixed) return;  // its mass never enters
   if (!std::isfinite(body.inertia.mass) || body.inertia.mass <= 0) {
-    reject(
-        fmt::format("{}: mass {} kg: must be finite and > 0 (or set the mobility to fixed)", who, body.inertia.mass));
+    reject(sentence(who, ": mass ", body.inertia.mass, " kg: must be finite and > 0 (or set the mobility to fixed)"));
   }
   if (body.inertia.mass < least_mass || body.inertia.mass > most_mass) {
-    reject(fmt::format("{}: mass {} kg: must be {:g} to {:g} kg (check the unit of lengths and density)", who,
-                       body.inertia.mass, least_mass, most_mass));
+    reject(sentence(who, ": mass ", body.inertia.mass, " kg: must be ", least_mass, " to ", most_mass,
+                    " kg (check the unit of lengths and density)"));
   }
   if (body.mobility == Mobility::free) check_moments(who, body.inertia.about_center);
 }
@@ -88,7 +85,7 @@ void check_velocity(const std::string& who, const Body& body) {
 
 void check_body(const Body& body) {
   if (body.name.empty()) reject("a body without name: every body has one (set its name)");
-  const std::string who = fmt::format("body '{}'", body.name);
+  const std::string who = sentence("body '", body.name, "'");
   if (!body.field) reject(who + ": has no shape (voxelize a mesh or make_box, and set field)");
   try {
     validate(body.friction);
@@ -97,53 +94,52 @@ void check_body(const Body& body) {
   }
   check_finite(who + ": position", body.X_WO.p, "m", most_length);
   if (!(std::abs(body.X_WO.R.norm() - 1) <= unit_tolerance)) {
-    reject(
-        fmt::format("{}: orientation of norm {}: must be a unit quaternion (normalise it)", who, body.X_WO.R.norm()));
+    reject(sentence(who, ": orientation of norm ", body.X_WO.R.norm(), ": must be a unit quaternion (normalise it)"));
   }
   if (!std::isfinite(body.held_until) || body.held_until < 0) {
-    reject(fmt::format("{}: held_until {} s: must be finite and >= 0 (0 lets it go at once)", who, body.held_until));
+    reject(sentence(who, ": held_until ", body.held_until, " s: must be finite and >= 0 (0 lets it go at once)"));
   }
   check_inertia(who, body);
   check_velocity(who, body);
   if (body.samples_O.size() > most_samples) {
     reject(
-        fmt::format("{}: {} surface samples: at most {} (space them wider)", who, body.samples_O.size(), most_samples));
+        sentence(who, ": ", body.samples_O.size(), " surface samples: at most ", most_samples, " (space them wider)"));
   }
   for (const Eigen::Vector3d& p : body.samples_O) check_finite(who + ": surface sample", p, "m", most_length);
 }
 
 void check_given(const std::string& who, const GivenPatch& patch) {
   if (patch.phalanx < 0 || patch.phalanx >= phalanx_count) {
-    reject(fmt::format("{}: given patch on phalanx {}: must be 0 to {} (15 is the palm)", who, patch.phalanx,
-                       phalanx_count - 1));
+    reject(sentence(who, ": given patch on phalanx ", patch.phalanx, ": must be 0 to ", phalanx_count - 1,
+                    " (15 is the palm)"));
   }
-  const std::string where = fmt::format("{}: given patch on {}", who, phalanx_name(patch.phalanx));
+  const std::string where = sentence(who, ": given patch on ", phalanx_name(patch.phalanx));
   const std::size_t count = patch.p_P.size();
   if (count < 1 || count > std::size_t(max_samples)) {
-    reject(fmt::format("{}: {} samples: must be 1 to {} (split it over phalanges)", where, count, max_samples));
+    reject(sentence(where, ": ", count, " samples: must be 1 to ", max_samples, " (split it over phalanges)"));
   }
   for (const Eigen::Vector3d& p : patch.p_P) check_finite(where + ": sample", p, "m", most_length);
   if (!patch.start.empty() && patch.start.size() != count) {
-    reject(fmt::format("{}: {} starts for {} samples: give none or one a sample", where, patch.start.size(), count) +
+    reject(sentence(where, ": ", patch.start.size(), " starts for ", count, " samples: give none or one a sample") +
            " (start empty is unstretched stick)");
   }
   for (const SampleStart& start : patch.start) check_finite(where + ": lag", start.lag_W, "m", most_length);
 }
 
 void check_hand(const Hand& hand, std::size_t index, double duration) {
-  const std::string who = fmt::format("hand {}", index);
+  const std::string who = sentence("hand ", index);
   if (!hand.motion) reject(who + ": has no motion (give it a trace)");
   const auto overlaps = [&](const Interval& i) { return i.begin <= duration && i.end >= 0; };
   const auto& presence = hand.motion->presence();
   if (std::none_of(presence.begin(), presence.end(), overlaps)) {
-    reject(fmt::format("{}: is never present in 0 to {} s (shift the trace, or remove the hand)", who, duration));
+    reject(sentence(who, ": is never present in 0 to ", duration, " s (shift the trace, or remove the hand)"));
   }
   std::set<int> seen;
   for (const GivenPatch& patch : hand.given) {
     check_given(who, patch);
     if (!seen.insert(patch.phalanx).second) {
-      reject(fmt::format("{}: two given patches on {}: one a phalanx (merge their samples)", who,
-                         phalanx_name(patch.phalanx)));
+      reject(sentence(who, ": two given patches on ", phalanx_name(patch.phalanx),
+                      ": one a phalanx (merge their samples)"));
     }
   }
 }
@@ -152,43 +148,43 @@ void check_hand(const Hand& hand, std::size_t index, double duration) {
 
 void validate(const ContactParameters& contact) {
   if (!std::isfinite(contact.stiffness) || contact.stiffness <= 0) {
-    reject(fmt::format("contact stiffness {} N/m: must be finite and > 0 (the paper has 100)", contact.stiffness));
+    reject(sentence("contact stiffness ", contact.stiffness, " N/m: must be finite and > 0 (the paper has 100)"));
   }
   if (contact.stiffness > most_stiffness) {
-    reject(fmt::format("contact stiffness {} N/m: at most {:g} (check the unit)", contact.stiffness, most_stiffness));
+    reject(sentence("contact stiffness ", contact.stiffness, " N/m: at most ", most_stiffness, " (check the unit)"));
   }
   if (contact.damping > most_damping) {
-    reject(fmt::format("contact damping {} N s/m: at most {:g} (check the unit)", contact.damping, most_damping));
+    reject(sentence("contact damping ", contact.damping, " N s/m: at most ", most_damping, " (check the unit)"));
   }
   if (!std::isfinite(contact.damping) || contact.damping < 0) {
-    reject(fmt::format("contact damping {} N s/m: must be finite and >= 0 (0 is the paper's bare spring)",
-                       contact.damping));
+    reject(sentence("contact damping ", contact.damping,
+                    " N s/m: must be finite and >= 0 (0 is the paper's bare spring)"));
   }
 }
 
 void validate(const Scene& scene) {
   if (!std::isfinite(scene.duration) || scene.duration <= 0) {
-    reject(fmt::format("duration {} s: must be finite and > 0 (time starts at 0)", scene.duration));
+    reject(sentence("duration ", scene.duration, " s: must be finite and > 0 (time starts at 0)"));
   }
   if (scene.duration > most_duration) {
-    reject(fmt::format("duration {} s: at most {:g} (a day)", scene.duration, most_duration));
+    reject(sentence("duration ", scene.duration, " s: at most ", most_duration, " (a day)"));
   }
   check_finite("gravity", scene.gravity, "m/s^2", most_gravity);
   validate(scene.contact);
   validate(scene.body_contact);
   validate(scene.patch);
-  if (scene.bodies.empty()) reject(fmt::format("scene '{}': has no body (add at least one)", scene.name));
+  if (scene.bodies.empty()) reject(sentence("scene '", scene.name, "': has no body (add at least one)"));
   if (scene.bodies.size() > most_bodies) {
-    reject(fmt::format("{} bodies: at most {} (split the scene)", scene.bodies.size(), most_bodies));
+    reject(sentence(scene.bodies.size(), " bodies: at most ", most_bodies, " (split the scene)"));
   }
   if (scene.hands.size() > most_hands) {
-    reject(fmt::format("{} hands: at most {} (split the scene)", scene.hands.size(), most_hands));
+    reject(sentence(scene.hands.size(), " hands: at most ", most_hands, " (split the scene)"));
   }
   std::set<std::string> names;
   for (const Body& body : scene.bodies) {
     check_body(body);
     if (!names.insert(body.name).second) {
-      reject(fmt::format("body '{}': the name is taken (give every body its own)", body.name));
+      reject(sentence("body '", body.name, "': the name is taken (give every body its own)"));
     }
   }
   for (std::size_t i = 0; i < scene.hands.size(); ++i) check_hand(scene.hands[i], i, scene.duration);

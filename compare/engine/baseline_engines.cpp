@@ -31,7 +31,7 @@ class BaselineEngine : public Engine {
     validate(scene);
     (void)frames_of(scene, options);  // checks them
     const std::unique_ptr<Baseline> baseline = make_(scene);
-    std::vector<realtime::HandFrame> hands(scene.hands.size());
+    std::vector<HandFrame> hands(scene.hands.size());
     sample_hands(scene, 0, hands);
     baseline->start(1 / options.frame_rate, hands);
     Recording recording{.engine = name_, .scene = scene.name};

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "cases/hand/hand_motion.hpp"
+#include "cases/model/hand_motion.hpp"
 #include "cases/hand/trace.hpp"
 #include "cases/model/recording.hpp"
 #include "cases/model/scene.hpp"

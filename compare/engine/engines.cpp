@@ -38,7 +38,7 @@ class RealtimeEngine : public Engine {
     validate(scene);
     (void)frames_of(scene, options);  // checks them
     realtime::World world(scene, {.substeps = options.substeps, .order = options.order});
-    std::vector<realtime::HandFrame> hands(scene.hands.size());
+    std::vector<HandFrame> hands(scene.hands.size());
     const double dt = 1 / options.frame_rate;
     for (const double before : {-2 * dt, -dt}) {
       sample_hands(scene, before, hands);

@@ -24,7 +24,7 @@ inline double thread_seconds() {
 }
 
 /// Where the scene's hands are at t: all that such an engine ever sees of them.
-inline void sample_hands(const Scene& scene, double t, std::vector<realtime::HandFrame>& hands) {
+inline void sample_hands(const Scene& scene, double t, std::vector<HandFrame>& hands) {
   for (std::size_t i = 0; i < hands.size(); ++i) {
     const HandMotion& motion = *scene.hands[i].motion;
     hands[i].present = motion.present(t);
@@ -53,7 +53,7 @@ template <class Stepper, class FrameOf>
 void play(const Scene& scene, const EngineOptions& options, const Progress& progress, Stepper& stepper,
           const FrameOf& frame_of, Recording& recording) {
   for (const Body& body : scene.bodies) recording.body_names.push_back(body.name);
-  std::vector<realtime::HandFrame> hands(scene.hands.size());
+  std::vector<HandFrame> hands(scene.hands.size());
   recording.frames.push_back(frame_of(stepper));
   for (const double t : frames_of(scene, options)) {
     sample_hands(scene, t, hands);

@@ -8,7 +8,7 @@ Motion motion_of(const BodyState& body) {
   return {body.X_WO.R.normalized().toRotationMatrix(), body.X_WO.p, body.V_WO.w, body.V_WO.v};
 }
 
-ContactPoint contact_point(const Support& support, double t, const Motion& body) {
+ContactPoint contact_point(const RigidSupport& support, double t, const Motion& body) {
   const PathPoint s = at(support.motion, t);
   const Eigen::Vector3d rho = body.R * support.point_B;  // to the foot or the ball's centre
   const Proximity near = proximity(support.surface, body.p + rho - s.p);
@@ -23,7 +23,7 @@ ContactPoint contact_point(const Support& support, double t, const Motion& body)
   return c;
 }
 
-ContactRates contact_rates(const Support& support, double t, const Motion& body, const Eigen::Vector3d& a,
+ContactRates contact_rates(const RigidSupport& support, double t, const Motion& body, const Eigen::Vector3d& a,
                            const Eigen::Vector3d& angular_acceleration) {
   const PathPoint s = at(support.motion, t);
   const Eigen::Vector3d rho = body.R * support.point_B;

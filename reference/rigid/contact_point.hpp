@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "reference/rigid/problem.hpp"
+#include "cases/model/rigid_problem.hpp"
 
 namespace handhold::reference::rigid {
 
@@ -25,7 +25,7 @@ struct ContactPoint {
   Eigen::Vector3d surface_velocity{};  ///< s' [m/s]
 };
 
-[[nodiscard]] ContactPoint contact_point(const Support& support, double t, const Motion& body);
+[[nodiscard]] ContactPoint contact_point(const RigidSupport& support, double t, const Motion& body);
 
 /// Its time derivatives, with the acceleration a of the centre of mass and the angular acceleration.
 struct ContactRates {
@@ -33,8 +33,8 @@ struct ContactRates {
   Eigen::Vector3d acceleration{};  ///< u' [m/s²]
 };
 
-[[nodiscard]] ContactRates contact_rates(const Support& support, double t, const Motion& body, const Eigen::Vector3d& a,
-                                         const Eigen::Vector3d& angular_acceleration);
+[[nodiscard]] ContactRates contact_rates(const RigidSupport& support, double t, const Motion& body,
+                                         const Eigen::Vector3d& a, const Eigen::Vector3d& angular_acceleration);
 
 /// Two unit vectors that complete the unit vector n to a right-handed frame.
 struct Tangents {

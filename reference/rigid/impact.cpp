@@ -14,24 +14,24 @@ Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& a) {
   return A;
 }
 
-Eigen::Matrix3d inverse_inertia(const Problem& problem, const Motion& body) {
+Eigen::Matrix3d inverse_inertia(const RigidProblem& problem, const Motion& body) {
   if (problem.mobility == Mobility::translation) return Eigen::Matrix3d::Zero();
   return body.R * problem.inertia.inverse() * body.R.transpose();
 }
 
 }  // namespace
 
-Eigen::Matrix3d response(const Problem& problem, const Motion& body, const Eigen::Vector3d& arm) {
+Eigen::Matrix3d response(const RigidProblem& problem, const Motion& body, const Eigen::Vector3d& arm) {
   const Eigen::Matrix3d A = cross_matrix(arm);
   return Eigen::Matrix3d::Identity() / problem.mass + A.transpose() * inverse_inertia(problem, body) * A;
 }
 
-void strike(const Problem& problem, const Eigen::Vector3d& arm, const Eigen::Vector3d& impulse, Motion& body) {
+void strike(const RigidProblem& problem, const Eigen::Vector3d& arm, const Eigen::Vector3d& impulse, Motion& body) {
   body.v += impulse / problem.mass;
   body.w += inverse_inertia(problem, body) * arm.cross(impulse);
 }
 
-std::optional<Eigen::Vector3d> plastic_impulse(const Problem& problem, const Support& support,
+std::optional<Eigen::Vector3d> plastic_impulse(const RigidProblem& problem, const RigidSupport& support,
                                                const ContactPoint& point, const Motion& body) {
   const Eigen::Matrix3d K = response(problem, body, point.arm);
   const Eigen::Vector3d& n = point.normal;
@@ -49,7 +49,7 @@ std::optional<Eigen::Vector3d> plastic_impulse(const Problem& problem, const Sup
   return impulse;
 }
 
-void bring_to_rest(const Problem& problem, const std::vector<Rest>& contacts, Motion& body) {
+void bring_to_rest(const RigidProblem& problem, const std::vector<Rest>& contacts, Motion& body) {
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     const Eigen::Vector3d v = body.v, w = body.w;
     for (const Rest& c : contacts) {

@@ -9,7 +9,7 @@ Eigen::Vector3d slip_direction(const Contact& contact, const ContactPoint& point
   return level.isZero(0) ? level : Eigen::Vector3d(level.normalized());
 }
 
-double cone_margin(const Support& support, const Reaction& reaction) {
+double cone_margin(const RigidSupport& support, const Reaction& reaction) {
   return support.friction.mu_static * reaction.normal_force - reaction.friction.norm();
 }
 

@@ -37,6 +37,6 @@ struct Reaction {
 };
 
 /// μ_s N − |f| [N]: negative outside the cone.
-[[nodiscard]] double cone_margin(const Support& support, const Reaction& reaction);
+[[nodiscard]] double cone_margin(const RigidSupport& support, const Reaction& reaction);
 
 }  // namespace handhold::reference::rigid

@@ -27,7 +27,7 @@ void validate(const Options& o) {
     throw InputError(fmt::format("step_limit={}: must be > 0 (twenty million is the default)", o.step_limit));
 }
 
-Trajectory simulate(const Problem& problem, const Options& options) {
+Trajectory simulate(const RigidProblem& problem, const Options& options) {
   validate(options);
   validate(problem);
   if (problem.duration * options.frame_rate > most_frames)

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/rigid/problem.hpp"
+#include "cases/model/rigid_problem.hpp"
 
 namespace handhold::reference::rigid {
 
@@ -61,6 +61,6 @@ struct Trajectory {
 /// Throws InputError for input that cannot be simulated, before Simbody sees it. What goes wrong later is data:
 /// Outcome::stalled with a note (no consistent modes; an impact whose friction would turn; a function that gives NaN).
 /// Deterministic, reentrant.
-[[nodiscard]] Trajectory simulate(const Problem& problem, const Options& options = {});
+[[nodiscard]] Trajectory simulate(const RigidProblem& problem, const Options& options = {});
 
 }  // namespace handhold::reference::rigid

@@ -17,7 +17,8 @@ struct Situation {
   bool at_rest{false};
 };
 
-Situation possibilities(const Support& support, double t, const ContactPoint& point, const Tolerances& tolerances) {
+Situation possibilities(const RigidSupport& support, double t, const ContactPoint& point,
+                        const Tolerances& tolerances) {
   const bool at_rest = point.slip.norm() <= tolerances.speed;
   if (support.normal_force) {
     if (!(support.normal_force(t) > 0)) return {{Mode::apart}, at_rest};
@@ -82,14 +83,14 @@ bool align(Modes& modes, const std::vector<Situation>& supports, const Trial& tr
 
 /// Whether a slip from rest goes forward. One that does not accelerate may begin where sticking was too much to ask;
 /// else it would be a contact wedged by its own friction, or one that carries nothing.
-bool begins(const Problem& problem, const Reaction& r, const Contact& contact, bool overloaded,
+bool begins(const RigidProblem& problem, const Reaction& r, const Contact& contact, bool overloaded,
             const Tolerances& tolerances) {
   const double forward = r.rates.acceleration.dot(contact.held);
   if (forward > tolerances.acceleration) return true;
   return overloaded && forward >= -tolerances.acceleration && r.normal_force > problem.mass * tolerances.acceleration;
 }
 
-bool consistent(const Problem& problem, const Modes& modes, const std::vector<Situation>& supports,
+bool consistent(const RigidProblem& problem, const Modes& modes, const std::vector<Situation>& supports,
                 const std::vector<Reaction>& held_up, const std::vector<Reaction>& reactions,
                 const Tolerances& tolerances) {
   for (std::size_t i = 0; i < modes.size(); ++i) {
@@ -112,7 +113,7 @@ bool consistent(const Problem& problem, const Modes& modes, const std::vector<Si
 
 }  // namespace
 
-std::optional<Modes> settle(const Problem& problem, double t, const std::vector<ContactPoint>& points,
+std::optional<Modes> settle(const RigidProblem& problem, double t, const std::vector<ContactPoint>& points,
                             const Trial& trial, const Tolerances& tolerances) {
   std::vector<Situation> supports;
   for (std::size_t i = 0; i < points.size(); ++i)

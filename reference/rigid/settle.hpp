@@ -24,7 +24,8 @@ struct Tolerances {
 /// 0, |f| <= μ_s N), slip (against the friction that would have been needed, u' forward) or leave (gap'' >= 0).
 /// Combinations are tried in a fixed order: as much sticking as possible, and equal modes of equal supports before
 /// unequal ones, so that a symmetric grip breaks away symmetrically.
-[[nodiscard]] std::optional<Modes> settle(const Problem& problem, double t, const std::vector<ContactPoint>& points,
-                                          const Trial& trial, const Tolerances& tolerances);
+[[nodiscard]] std::optional<Modes> settle(const RigidProblem& problem, double t,
+                                          const std::vector<ContactPoint>& points, const Trial& trial,
+                                          const Tolerances& tolerances);
 
 }  // namespace handhold::reference::rigid

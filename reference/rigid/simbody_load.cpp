@@ -24,17 +24,17 @@ Load LoadForce::applied(const SimTK::State& state) const {
 
 void LoadForce::calcForce(const SimTK::State& state, SimTK::Vector_<SimTK::SpatialVec>& body_forces,
                           SimTK::Vector_<SimTK::Vec3>&, SimTK::Vector&) const {
-  const Problem& problem = phase_.problem;
+  const RigidProblem& problem = phase_.problem;
   const double t = state.getTime();
   const Motion m = motion(state);
   const Load load = applied(state);
   SimTK::SpatialVec total(to_simbody(load.torque_W), to_simbody(load.force_W + problem.mass * problem.gravity));
-  for (const Spring& s : problem.springs) {
+  for (const RigidSpring& s : problem.springs) {
     const Eigen::Vector3d arm = m.R * s.point_B;
     total += spatial_force(arm, s.stiffness * (s.anchor_W + at(s.motion, t).p - m.p - arm));
   }
   for (std::size_t i = 0; i < problem.supports.size(); ++i) {
-    const Support& support = problem.supports[i];
+    const RigidSupport& support = problem.supports[i];
     if (!support.normal_force || phase_.modes[i].mode == Mode::apart) continue;
     const ContactPoint c = contact_point(support, t, m);
     Eigen::Vector3d direction = c.normal;
@@ -50,12 +50,12 @@ void LoadForce::calcForce(const SimTK::State& state, SimTK::Vector_<SimTK::Spati
 }
 
 void LoadForce::realizeAcceleration(const SimTK::State& state) const {
-  const Problem& problem = phase_.problem;
+  const RigidProblem& problem = phase_.problem;
   const Motion m = motion(state);
   const Load load = applied(state);
   double dissipation = 0;
   double power = load.force_W.dot(m.v) + load.torque_W.dot(m.w);
-  for (const Spring& s : problem.springs) {
+  for (const RigidSpring& s : problem.springs) {
     const PathPoint anchor = at(s.motion, state.getTime());
     power += s.stiffness * (s.anchor_W + anchor.p - m.p - m.R * s.point_B).dot(anchor.v);
   }
@@ -86,7 +86,7 @@ void LoadForce::set_work(SimTK::State& state, const Work& work) const {
 double LoadForce::spring_energy(const SimTK::State& state) const {
   const Motion m = motion(state);
   double energy = 0;
-  for (const Spring& s : phase_.problem.springs) {
+  for (const RigidSpring& s : phase_.problem.springs) {
     const Eigen::Vector3d stretch = s.anchor_W + at(s.motion, state.getTime()).p - m.p - m.R * s.point_B;
     energy += 0.5 * s.stiffness * stretch.squaredNorm();
   }

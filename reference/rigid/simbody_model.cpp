@@ -3,7 +3,7 @@
 namespace handhold::reference::rigid::simbody {
 namespace {
 
-SimTK::MobilizedBody make_body(SimTK::SimbodyMatterSubsystem& matter, const Problem& p) {
+SimTK::MobilizedBody make_body(SimTK::SimbodyMatterSubsystem& matter, const RigidProblem& p) {
   const Eigen::Matrix3d& J = p.inertia;
   const SimTK::Inertia inertia(J(0, 0), J(1, 1), J(2, 2), J(0, 1), J(0, 2), J(1, 2));
   const SimTK::Body::Rigid solid(SimTK::MassProperties(p.mass, SimTK::Vec3(0), inertia));
@@ -21,7 +21,7 @@ void enable(SimTK::State& state, const SimTK::Constraint& constraint, bool wante
 
 }  // namespace
 
-Model::Model(const Problem& problem, double slow)
+Model::Model(const RigidProblem& problem, double slow)
     : phase_{problem, Modes(problem.supports.size()), slow, {}}, body_(make_body(matter_, problem)) {
   using Kind = SupportConstraint::Kind;
   SimTK::MobilizedBody ground = matter_.Ground();
@@ -43,7 +43,7 @@ Model::Model(const Problem& problem, double slow)
 }
 
 SimTK::State Model::start() {
-  const Problem& p = phase_.problem;
+  const RigidProblem& p = phase_.problem;
   SimTK::State state = system_.realizeTopology();
   system_.realizeModel(state);
   body_.setQToFitTransform(state, SimTK::Transform(to_simbody(p.X_WB.R), to_simbody(p.X_WB.p)));
@@ -83,7 +83,7 @@ void Model::set_motion(SimTK::State& state, const Motion& motion) const {
 std::vector<ContactPoint> Model::points(const SimTK::State& state) const {
   const Motion m = motion(state);
   std::vector<ContactPoint> all;
-  for (const Support& s : phase_.problem.supports) all.push_back(contact_point(s, state.getTime(), m));
+  for (const RigidSupport& s : phase_.problem.supports) all.push_back(contact_point(s, state.getTime(), m));
   return all;
 }
 
@@ -92,7 +92,7 @@ std::vector<Reaction> Model::forces(const SimTK::State& state) const {
   const Motion m = motion_of(body_.getBodyTransform(state), body_.getBodyVelocity(state));
   std::vector<Reaction> all;
   for (std::size_t i = 0; i < constraints_.size(); ++i) {
-    const Support& support = phase_.problem.supports[i];
+    const RigidSupport& support = phase_.problem.supports[i];
     const Contact& contact = phase_.modes[i];
     const ContactPoint point = contact_point(support, state.getTime(), m);
     Reaction r;
@@ -125,7 +125,7 @@ double Model::kinetic_energy(const Motion& m) const {
 }
 
 Frame Model::frame(const SimTK::State& state) const {
-  const Problem& problem = phase_.problem;
+  const RigidProblem& problem = phase_.problem;
   Frame frame;
   frame.t = state.getTime();
   frame.body = body(state);

@@ -13,7 +13,7 @@ namespace handhold::reference::rigid::simbody {
 /// modes it was given last.
 class Model {
  public:
-  Model(const Problem& problem, double slow);
+  Model(const RigidProblem& problem, double slow);
 
   [[nodiscard]] const SimTK::MultibodySystem& system() const { return system_; }
   [[nodiscard]] SimTK::State start();

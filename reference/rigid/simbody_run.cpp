@@ -34,7 +34,7 @@ double slow_speed(const Options& options) { return 0.1 * std::sqrt(options.accur
 /// One run.
 class Run {
  public:
-  Run(const Problem& problem, const Options& options);
+  Run(const RigidProblem& problem, const Options& options);
   Trajectory run();
 
  private:
@@ -67,7 +67,7 @@ class Run {
   void settle_modes(const std::vector<bool>& stopped, const BodyState& before, double window);
   void check_invariants(const std::vector<Reaction>& reactions) const;
 
-  const Problem& problem_;
+  const RigidProblem& problem_;
   const Options& options_;
   Tolerances tolerances_{};
   double noise_{};  // of velocities and places at an event, from the integrator [m/s, m]
@@ -81,7 +81,7 @@ class Run {
   Trajectory trajectory_{};
 };
 
-Run::Run(const Problem& problem, const Options& options)
+Run::Run(const RigidProblem& problem, const Options& options)
     : problem_(problem),
       options_(options),
       model_(problem, slow_speed(options)),
@@ -267,7 +267,7 @@ bool Run::strike_touching(std::vector<ContactPoint>& points) {
 
 void Run::put_on_surfaces(Motion& motion) const {
   for (int sweep = 0; sweep < 20; ++sweep)
-    for (const Support& s : problem_.supports) {
+    for (const RigidSupport& s : problem_.supports) {
       const ContactPoint c = contact_point(s, state_.getTime(), motion);
       if (s.normal_force || std::abs(c.gap) > tolerances_.gap) continue;
       motion.p -= c.gap * c.normal;
@@ -351,7 +351,7 @@ Trajectory Run::run() {
 
 }  // namespace
 
-Trajectory simulate(const Problem& problem, const Options& options) {
+Trajectory simulate(const RigidProblem& problem, const Options& options) {
   reference::simbody::check_library();
   return Run(problem, options).run();
 }

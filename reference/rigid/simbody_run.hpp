@@ -5,6 +5,6 @@
 namespace handhold::reference::rigid::simbody {
 
 /// The border to Simbody: rigid::simulate after all input has been validated (Simbody aborts on some bad input).
-[[nodiscard]] Trajectory simulate(const Problem& problem, const Options& options);
+[[nodiscard]] Trajectory simulate(const RigidProblem& problem, const Options& options);
 
 }  // namespace handhold::reference::rigid::simbody

@@ -11,7 +11,7 @@ namespace handhold::reference::rigid::simbody {
 
 /// What constraints and forces of one run share.
 struct Phase {
-  const Problem& problem;
+  const RigidProblem& problem;
   Modes modes{};
   double slow{};          ///< see slip_direction [m/s]
   std::string failure{};  ///< what was last thrown inside a force: the integrator only says that it cannot advance
@@ -62,7 +62,7 @@ class SupportConstraint : public SimTK::Constraint::Custom::Implementation {
   [[nodiscard]] Reaction forces(const SimTK::Vector& multipliers, const ContactPoint& point) const;
 
  private:
-  [[nodiscard]] const Support& support() const { return phase_.problem.supports[index_]; }
+  [[nodiscard]] const RigidSupport& support() const { return phase_.problem.supports[index_]; }
   [[nodiscard]] ContactPoint point(const SimTK::State& state, const SimTK::SpatialVec& V) const;
   [[nodiscard]] ContactPoint point_at_rest(const SimTK::State& state) const;
 

@@ -2,11 +2,11 @@
 
 namespace handhold::reference::rigid {
 
-std::vector<Witness> witnesses(const Problem& problem, double t, const Modes& modes,
+std::vector<Witness> witnesses(const RigidProblem& problem, double t, const Modes& modes,
                                const std::vector<Reaction>& reactions) {
   std::vector<Witness> all;
   for (std::size_t i = 0; i < modes.size(); ++i) {
-    const Support& support = problem.supports[i];
+    const RigidSupport& support = problem.supports[i];
     const Reaction& r = reactions[i];
     if (modes[i].mode == Mode::apart && support.normal_force) {
       all.push_back({Witness::Kind::loose, -support.normal_force(t), true});

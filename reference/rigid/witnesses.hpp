@@ -22,7 +22,7 @@ struct Witness {
 };
 
 /// Two a closed support, one an open one, in the order of the supports.
-[[nodiscard]] std::vector<Witness> witnesses(const Problem& problem, double t, const Modes& modes,
+[[nodiscard]] std::vector<Witness> witnesses(const RigidProblem& problem, double t, const Modes& modes,
                                              const std::vector<Reaction>& reactions);
 
 /// Whether a witness tells of an event at `now`, given its value `before` at the beginning of the step. A gap just left

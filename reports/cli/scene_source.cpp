@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/hand/trace_spline.hpp"
 #include "cases/catalogue/case.hpp"
 #include "cases/hand/moved_trace.hpp"
 #include "cases/hand/placement.hpp"
@@ -128,7 +129,7 @@ NamedScene from_trace(const SceneRequest& request) {
   const double start = place(request, trace, body, out.remarks);
   if (request.held_until) body.held_until = *request.held_until;
   Hand hand;
-  hand.motion = std::make_shared<HandMotion>(moved(trace, Pose{}, start), std::size_t(request.hand));
+  hand.motion = std::make_shared<TraceSpline>(moved(trace, Pose{}, start), std::size_t(request.hand));
   out.scene.name = out.name;
   out.scene.duration = duration_of(*hand.motion);
   out.scene.bodies.push_back(std::move(body));

@@ -12,7 +12,7 @@ HandFrames hand_frames(const Scene& scene, double frame_rate) {
   HandFrames all;
   for (long k = -2; k <= frames; ++k) {
     const double t = double(k) / frame_rate;
-    std::vector<realtime::HandFrame>& now = all.emplace_back(scene.hands.size());
+    std::vector<HandFrame>& now = all.emplace_back(scene.hands.size());
     for (std::size_t i = 0; i < now.size(); ++i) {
       const HandMotion& motion = *scene.hands[i].motion;
       now[i].present = motion.present(t);

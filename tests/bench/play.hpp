@@ -8,7 +8,7 @@
 
 namespace handhold::bench {
 
-using HandFrames = std::vector<std::vector<realtime::HandFrame>>;  ///< a frame, a hand
+using HandFrames = std::vector<std::vector<HandFrame>>;  ///< a frame, a hand
 
 /// What the hands do at the frames −2, −1, 0, ... of the scene, so that nothing is looked up while the clock runs.
 [[nodiscard]] HandFrames hand_frames(const Scene& scene, double frame_rate);

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "cases/hand/trace_spline.hpp"
 #include "cases/catalogue/builders/scenes.hpp"
 #include "cases/hand/trace_builder.hpp"
 #include "cases/model/input_error.hpp"
@@ -46,7 +47,7 @@ Play poke(const Motion& cube, int first = 0, int frames = 120, int frames_beyond
   Play play;
   play.scene.name = "poke";
   play.scene.bodies = {catalogue::block(Eigen::Vector3d::Constant(catalogue::edge), 4 * catalogue::voxel, 0.1, {})};
-  play.scene.hands = {{.motion = std::make_shared<HandMotion>(trace, 0)}};
+  play.scene.hands = {{.motion = std::make_shared<TraceSpline>(trace, 0)}};
   for (int k = 0; k <= frames + frames_beyond_the_hand; ++k) {
     const double t = k <= frames ? trace.t[std::size_t(k)] : k * dt;
     play.recording.frames.push_back({.t = t, .bodies = {{.X_WO = cube(first + k)}}});

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "cases/hand/trace_spline.hpp"
 #include "cases/catalogue/builders/scenes.hpp"
 #include "cases/closed_form/off_centre_pinch.hpp"
 #include "cases/hand/trace_builder.hpp"
@@ -41,7 +42,7 @@ BenchmarkScene grip() {
     return X_WP;
   };
   const Trace trace = sample_trace("lift", Side::right, model, poses, -0.1, 2.1, 200);
-  made.scene.hands = {{std::make_shared<HandMotion>(trace, 0), {}}};
+  made.scene.hands = {{std::make_shared<TraceSpline>(trace, 0), {}}};
   made.phalanges = {{0, 3}, {0, 6}};
   made.plan = catalogue::GripPlan{.hold_begin = 0.2, .hold_end = 1.2, .shake_begin = 1.4};
   return made;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "cases/hand/trace_spline.hpp"
 #include "cases/geometry/mass_properties.hpp"
 #include "cases/geometry/shapes.hpp"
 #include "cases/geometry/surface_samples.hpp"
@@ -85,7 +86,7 @@ Hand RandomScene::hand(double duration) {
   const bool late = flip(0.2);
   const double begin = late ? 0.3 * duration : -0.1, end = late ? 0.8 * duration : duration + 0.1;
   Hand hand;
-  hand.motion = std::make_shared<HandMotion>(
+  hand.motion = std::make_shared<TraceSpline>(
       sample_trace("fuzz", Side::right, anatomical_hand(), poses, begin, end, in(200, 500)), 0);
   if (flip(0.5)) return hand;
   for (int i = 0; i < 3; ++i) {

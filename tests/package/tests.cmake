@@ -29,7 +29,7 @@ function(links_test name consumer)
   set_tests_properties(${name} PROPERTIES LABELS package FIXTURES_REQUIRED use_${consumer})
 endfunction()
 
-links_test(package.realtime_links_eigen_alone realtime shared realtime)
+links_test(package.realtime_links_eigen_alone realtime model realtime)
 links_test(package.link_check_can_fail everything cases)
 set_tests_properties(package.link_check_can_fail PROPERTIES PASS_REGULAR_EXPRESSION "needs libgsl.*libhandhold_cases.a mentions")
 

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "cases/hand/trace_spline.hpp"
 #include "cases/hand/trace_builder.hpp"
 #include "tests/realtime/scenes.hpp"
 
@@ -127,7 +128,7 @@ inline Hand changed(const Hand& hand, const Change& change) {
   model.palm_box.half_extents *= L;
   const PoseFunction still = [](double) { return std::array<Pose, phalanx_count>{}; };
   Hand made = hand;
-  made.motion = std::make_shared<HandMotion>(sample_trace("still", hand.motion->side(), model, still, 0, 1, 2), 0);
+  made.motion = std::make_shared<TraceSpline>(sample_trace("still", hand.motion->side(), model, still, 0, 1, 2), 0);
   for (GivenPatch& given : made.given) {
     given.phalanx = change.phalanx(given.phalanx);
     for (Vector3d& p : given.p_P) p = change.own(L * p);

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "cases/hand/trace_spline.hpp"
 #include "cases/geometry/mass_properties.hpp"
 #include "cases/geometry/shapes.hpp"
 #include "cases/geometry/voxelizer.hpp"
@@ -154,7 +155,7 @@ class RandomGrasp {
   static std::shared_ptr<const HandMotion> shared_motion() {
     static const auto motion = [] {
       const PoseFunction nowhere = [](double) { return std::array<Pose, phalanx_count>{}; };
-      return std::make_shared<const HandMotion>(
+      return std::make_shared<const TraceSpline>(
           sample_trace("nobody", Side::right, anatomical_hand(), nowhere, -0.1, 0.1, 100), 0);
     }();
     return motion;

@@ -11,7 +11,7 @@
 
 #include "cases/geometry/shapes.hpp"
 #include "cases/geometry/voxelizer.hpp"
-#include "cases/hand/hand_motion.hpp"
+#include "cases/hand/trace_spline.hpp"
 #include "cases/hand/placement.hpp"
 #include "cases/input/trace/trace_reader.hpp"
 #include "cases/model/input_error.hpp"
@@ -216,7 +216,7 @@ Depths record(const std::string& name, const Mesh& mesh, FreezeMode mode) {
   const auto field = voxelize(mesh, {.voxel_size = 0.001});
   const Trace trace = read_trace(std::string(HANDHOLD_SHARED_DATA) + "/traces/leapjs/" + name);
   const Placement placement = place_in_hand(trace, 0, *field);
-  const HandMotion motion(trace, 0);
+  const TraceSpline motion(trace, 0);
   const Pose X_OW = placement.X_WO.inverse();
   VisualHand hand({.mode = mode});
   const auto depth = [&](int i, const Pose& X_WP) {

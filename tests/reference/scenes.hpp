@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "cases/hand/trace_spline.hpp"
 #include "cases/geometry/shapes.hpp"
 #include "cases/geometry/voxelizer.hpp"
 #include "cases/hand/trace_builder.hpp"
@@ -61,7 +62,7 @@ inline Hand hand_with(const std::vector<Patch>& patches, double end, double begi
     return all;
   };
   const Trace trace = sample_trace("test", Side::right, anatomical_hand(), poses, begin, end, rate);
-  hand.motion = std::make_shared<HandMotion>(trace, 0);
+  hand.motion = std::make_shared<TraceSpline>(trace, 0);
   return hand;
 }
 

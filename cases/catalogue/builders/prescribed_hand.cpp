@@ -1,3 +1,4 @@
+#include "cases/hand/trace_spline.hpp"
 #include "cases/catalogue/builders/prescribed_hand.hpp"
 
 #include <array>
@@ -25,7 +26,7 @@ Hand prescribed_hand(const std::vector<PrescribedPatch>& patches, double duratio
   };
   const double before = std::ceil(margin * rate) / rate, after = std::ceil((duration + margin) * rate) / rate;
   const Trace trace = sample_trace("prescribed", Side::right, anatomical_hand(), poses, -before, after, rate);
-  hand.motion = std::make_shared<HandMotion>(trace, 0);
+  hand.motion = std::make_shared<TraceSpline>(trace, 0);
   return hand;
 }
 

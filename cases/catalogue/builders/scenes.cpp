@@ -1,3 +1,4 @@
+#include "cases/hand/trace_spline.hpp"
 #include "cases/catalogue/builders/scenes.hpp"
 
 #include <cmath>
@@ -72,7 +73,7 @@ Hand hand_of(const std::vector<MovingPatch>& patches, double duration) {
   };
   const Trace trace =
       sample_trace("prescribed", Side::right, anatomical_hand(), poses, -margin, duration + margin, sample_rate);
-  hand.motion = std::make_shared<HandMotion>(trace, 0);
+  hand.motion = std::make_shared<TraceSpline>(trace, 0);
   return hand;
 }
 

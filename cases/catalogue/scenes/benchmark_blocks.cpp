@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/hand/trace_spline.hpp"
 #include "cases/catalogue/scenes/benchmark_families.hpp"
 #include "cases/closed_form/incline.hpp"
 #include "cases/closed_form/stopping.hpp"
@@ -149,7 +150,7 @@ BenchmarkScene axe_benchmark() {
   made.scene.contact = {.stiffness = 2000, .damping = 5};
   Hand axe;
   const Trace trace = sample_trace("axe", Side::right, model, poses, -margin, duration + margin, sample_rate);
-  axe.motion = std::make_shared<HandMotion>(trace, 0);
+  axe.motion = std::make_shared<TraceSpline>(trace, 0);
   made.scene.hands = {axe};
   made.phalanges = {{0, palm}, {0, handle}};
   made.plan = TowerPlan{.settled = 0.5, .until = swing_begin};

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/hand/trace_spline.hpp"
 #include "cases/catalogue/builders/scenes.hpp"
 #include "cases/catalogue/scenes/benchmark_families.hpp"
 #include "cases/geometry/mass_properties.hpp"
@@ -81,7 +82,7 @@ Hand hand_of(int hand, const std::vector<Placed>& placed, const HandModel& model
   const Side side = hand == 0 ? Side::left : Side::right;
   const Trace trace = sample_trace("benchmark", side, model, poses, -margin, duration + margin, sample_rate);
   Hand made;
-  made.motion = std::make_shared<HandMotion>(trace, 0);
+  made.motion = std::make_shared<TraceSpline>(trace, 0);
   return made;
 }
 

@@ -1,3 +1,4 @@
+#include "cases/hand/trace_spline.hpp"
 #include "cases/catalogue/scenes/lively_scenes.hpp"
 
 #include <algorithm>
@@ -44,7 +45,7 @@ HandModel model() {
 Hand hand_of(Side side, const PoseFunction& poses, double duration) {
   const Trace trace = sample_trace("lively", side, model(), poses, -margin, duration + margin, sample_rate);
   Hand hand;
-  hand.motion = std::make_shared<HandMotion>(trace, 0);
+  hand.motion = std::make_shared<TraceSpline>(trace, 0);
   return hand;
 }
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/hand/trace_spline.hpp"
 #include "cases/geometry/mass_properties.hpp"
 #include "cases/geometry/shapes.hpp"
 #include "cases/geometry/surface_samples.hpp"
@@ -131,7 +132,7 @@ Hand build_hand(const HandSpec& spec, const fs::path& base) {
   const Trace trace =
       moved(read_trace(existing_file(spec.trace, base).string()), {spec.orientation, spec.position}, spec.start);
   Hand hand;
-  hand.motion = std::make_shared<HandMotion>(trace, find_hand(spec, trace), HandMotionOptions{spec.longest_bridge});
+  hand.motion = std::make_shared<TraceSpline>(trace, find_hand(spec, trace), TraceSplineOptions{spec.longest_bridge});
   for (const PatchSpec& patch : spec.patches) hand.given.push_back(build_patch(patch));
   return hand;
 }

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/hand/hand_motion.hpp"
+#include "cases/model/hand_motion.hpp"
 #include "cases/hand/trace.hpp"
 
 namespace handhold {

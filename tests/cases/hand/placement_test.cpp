@@ -1,3 +1,4 @@
+#include "cases/hand/trace_spline.hpp"
 #include "cases/hand/placement.hpp"
 
 #include <algorithm>
@@ -53,7 +54,7 @@ double depth_of(const Placement& placement, int phalanx) {
 }
 
 TEST(Grip, MeasuresTheGapBetweenTheTips) {
-  const HandMotion motion(pinch(0.02), 0);
+  const TraceSpline motion(pinch(0.02), 0);
   const Grip grip = grip_at(motion, 1, 0.25);
   EXPECT_NEAR(grip.gap, 0.1, 1e-9);  // built so; the splines of a constant are constant
   EXPECT_NEAR((grip.middle_W - Eigen::Vector3d(0.2, 0.1, 0.3)).norm(), 0, 1e-9);
@@ -61,7 +62,7 @@ TEST(Grip, MeasuresTheGapBetweenTheTips) {
 }
 
 TEST(Grip, FindsTheClosing) {
-  const HandMotion motion(pinch(0.02), 0);
+  const TraceSpline motion(pinch(0.02), 0);
   const auto grips = sample_grips(motion, 1, motion.presence().at(0), 0.005);
   const auto closings = find_closings(grips, 1, 0.03, 0.05);
   ASSERT_EQ(closings.size(), 1u);

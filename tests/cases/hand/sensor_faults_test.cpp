@@ -1,3 +1,4 @@
+#include "cases/hand/trace_spline.hpp"
 #include "cases/hand/sensor_faults.hpp"
 
 #include <cmath>
@@ -23,7 +24,7 @@ std::size_t count_lost(const TraceHand& hand) {
 TEST(KeyframedHand, FollowsMinimumJerk) {
   const Trace trace = closing_hand(200);
   const HandModel model = anatomical_hand();
-  const HandMotion motion(trace, 0);
+  const TraceSpline motion(trace, 0);
   const auto wrist = [&](double t) -> Vector3d {
     return motion.pose(palm, t) * Vector3d(0, 0, -model.palm_box.half_extents.z());
   };

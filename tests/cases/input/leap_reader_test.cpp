@@ -1,3 +1,4 @@
+#include "cases/hand/trace_spline.hpp"
 #include "cases/input/trace/leap_reader.hpp"
 
 #include <cmath>
@@ -286,7 +287,7 @@ TEST(LeapRecordings, AllReadAndMoveSmoothly) {
     SKIP_WITHOUT(path);
     const Trace trace = read_trace(path);
     EXPECT_EQ(trace.name, name);
-    const HandMotion motion(trace, 0);
+    const TraceSpline motion(trace, 0);
     ASSERT_EQ(motion.presence().size(), 1u) << name;
     // Bone frames must not flip between frames: no phalanx spins at more than 60 rad/s (a flip at 115 Hz shows 360
     // rad/s).

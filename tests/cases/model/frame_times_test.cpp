@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "cases/hand/trace_builder.hpp"
+#include "cases/hand/trace_spline.hpp"
 #include "cases/model/input_error.hpp"
 
 namespace handhold {
@@ -22,7 +23,7 @@ TEST(FrameTimes, ThoseOfATraceAreWhenItSawTheHand) {
   const Trace trace = sample_trace("still", Side::right, anatomical_hand(), still, -0.3, 0.9, 10);
   Scene scene;
   scene.duration = 0.45;
-  scene.hands = {{std::make_shared<HandMotion>(trace, 0), {}}};
+  scene.hands = {{std::make_shared<TraceSpline>(trace, 0), {}}};
   const std::vector<double> times = trace_frames(scene);
   ASSERT_EQ(times.size(), 5u);  // 0.1 ... 0.4, and the end
   for (int k = 0; k < 4; ++k) EXPECT_NEAR(times[std::size_t(k)], 0.1 * (k + 1), 1e-15);

@@ -9,6 +9,7 @@
 #include "cases/geometry/shapes.hpp"
 #include "cases/geometry/voxelizer.hpp"
 #include "cases/hand/trace_builder.hpp"
+#include "cases/hand/trace_spline.hpp"
 #include "cases/model/scene.hpp"
 #include "tests/cases/input/expect_input_error.hpp"
 
@@ -24,7 +25,7 @@ std::shared_ptr<const VoxelField> cube() {
 
 std::shared_ptr<const HandMotion> still_hand(double begin, double end) {
   const auto still = [](double) { return std::array<Pose, phalanx_count>{}; };
-  return std::make_shared<HandMotion>(sample_trace("still", Side::right, anatomical_hand(), still, begin, end, 50), 0);
+  return std::make_shared<TraceSpline>(sample_trace("still", Side::right, anatomical_hand(), still, begin, end, 50), 0);
 }
 
 /// A cube of 0.2 kg: J = m a^2 / 6 about every axis.

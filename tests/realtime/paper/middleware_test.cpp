@@ -8,7 +8,7 @@
 #include <new>
 #include <random>
 
-#include "cases/hand/hand_motion.hpp"
+#include "cases/hand/trace_spline.hpp"
 #include "cases/hand/placement.hpp"
 #include "cases/input/trace/trace_reader.hpp"
 #include "cases/model/input_error.hpp"
@@ -241,14 +241,14 @@ HandFrame hand_at(const HandMotion& motion, double t) {
 struct Recorded {
   std::shared_ptr<const VoxelField> field = voxelize(make_box({0.03, 0.03, 0.03}), {.voxel_size = 0.001});
   std::optional<Placement> placement{};
-  std::unique_ptr<HandMotion> motion{};
+  std::unique_ptr<TraceSpline> motion{};
 
   Recorded() {
     const std::string file = std::string(HANDHOLD_SHARED_DATA) + "/traces/leapjs/pinch.json.lz";
     if (!std::ifstream(file)) return;
     const Trace trace = read_trace(file);
     placement = place_in_hand(trace, 0, *field);
-    motion = std::make_unique<HandMotion>(trace, 0);
+    motion = std::make_unique<TraceSpline>(trace, 0);
   }
 };
 

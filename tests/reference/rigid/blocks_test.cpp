@@ -14,7 +14,7 @@ double c01_incline(const Options& options) {
   Worst worst;
   for (const double slope : {0.5, 0.7, 1.2}) {
     const exact::Incline incline{slope, g, {0.5, 0.4}};
-    Problem p = block(0.2, incline.friction, exact::time_at(incline, 0.1));
+    RigidProblem p = block(0.2, incline.friction, exact::time_at(incline, 0.1));
     p.gravity = tilted_gravity(slope);
     const Trajectory t = run(p, options);
     worst.add(t.frames.back().body.X_WO.p.x(), 0.1);
@@ -28,7 +28,7 @@ double c01_incline(const Options& options) {
 double c01_tilted_plane(const Options& options) {
   const exact::Incline incline{0.6, g, {0.5, 0.4}};
   const Eigen::Quaterniond turn(Eigen::AngleAxisd(0.7, z_axis) * Eigen::AngleAxisd(0.6, y_axis));
-  Problem p = block(0.2, incline.friction, exact::time_at(incline, 0.1));
+  RigidProblem p = block(0.2, incline.friction, exact::time_at(incline, 0.1));
   p.supports[0].surface = make_plane({0, 0, 0}, turn * z_axis);
   const Trajectory t = run(p, options);
   Worst worst;
@@ -42,7 +42,7 @@ double c02_flick(const Options& options) {
   for (const double slope : {0.6, 0.4}) {
     const exact::Flick flick{slope, 1, g, {0.5, 0.4}};
     const double end = exact::stop_time(flick) + (exact::returns(flick) ? exact::return_time(flick) : 0.1);
-    Problem p = block(0.2, flick.friction, end);
+    RigidProblem p = block(0.2, flick.friction, end);
     p.gravity = tilted_gravity(slope);
     p.V_WB.v = -x_axis;
     const Trajectory t = run(p, options);
@@ -61,7 +61,7 @@ double c03_stopping(const Options& options) {
   Worst worst;
   for (const double palm : {0.0, 0.35}) {  // the palm may move: Galilei
     const exact::Stopping stopping{};
-    Problem p = block(0.2, {0.5, stopping.mu_dynamic}, 0.3);
+    RigidProblem p = block(0.2, {0.5, stopping.mu_dynamic}, 0.3);
     p.V_WB.v = (palm + stopping.speed) * x_axis;
     p.supports[0].motion = steady(palm * x_axis);
     const Trajectory t = run(p, options);
@@ -77,7 +77,7 @@ double c03_stopping(const Options& options) {
 
 double c04_load_ramp(const Options& options) {
   const exact::LoadRamp ramp{};
-  Problem p = block(ramp.mass, ramp.friction, 1.2);
+  RigidProblem p = block(ramp.mass, ramp.friction, 1.2);
   p.load = [&](double t, const BodyState&) { return Load{ramp.rate * t * x_axis, {0, 0, 0}}; };
   const Trajectory t = run(p, options);
   Worst worst;
@@ -97,7 +97,7 @@ double oblique_slide(const Options& options) {
     const exact::ObliqueSlide slide{slope, 0.45, 1.2, 2.1, g};
     const bool stops = slide.mu > std::tan(slope);
     const exact::ObliquePoint end = exact::at_angle(slide, stops ? 0 : 0.2);
-    Problem p = block(0.2, {slide.mu, slide.mu}, stops ? end.t + 0.1 : end.t);
+    RigidProblem p = block(0.2, {slide.mu, slide.mu}, stops ? end.t + 0.1 : end.t);
     p.gravity = tilted_gravity(slope);
     p.V_WB.v = slide.speed * Eigen::Vector3d(std::cos(slide.angle), std::sin(slide.angle), 0);
     const Trajectory t = run(p, options);
@@ -125,7 +125,7 @@ INSTANTIATE_TEST_SUITE_P(L1, OfBlocks,
 
 /// Stiction is exact: over a minute, a block under two thirds of its cone does not move by one bit.
 TEST(Stiction, DoesNotCreepInAMinute) {
-  Problem p = block(0.2, {0.5, 0.4}, 60);
+  RigidProblem p = block(0.2, {0.5, 0.4}, 60);
   p.gravity = tilted_gravity(0.3);
   const Trajectory t = run(p, {1e-10, 1e-2, 1});
   ASSERT_EQ(t.outcome, Outcome::complete) << t.note;
@@ -141,7 +141,7 @@ TEST(Stiction, DoesNotCreepInAMinute) {
 /// adding up (velocity error 1e-15/α = 1e-17 m/s, a minute of it 1e-15 m).
 TEST(Stiction, KeepsRoundOffAtRoundOffOnAnOddPlane) {
   const Eigen::Quaterniond turn(Eigen::AngleAxisd(0.7, z_axis) * Eigen::AngleAxisd(0.3, y_axis));
-  Problem p = block(0.2, {0.5, 0.4}, 60);
+  RigidProblem p = block(0.2, {0.5, 0.4}, 60);
   p.supports[0].surface = make_plane({0, 0, 0}, turn * z_axis);
   const Trajectory t = run(p, {1e-10, 1e-2, 1});
   std::printf("[  figure  ] creep on an odd plane in 60 s: %.1e m\n", t.frames.back().body.X_WO.p.norm());
@@ -150,7 +150,7 @@ TEST(Stiction, KeepsRoundOffAtRoundOffOnAnOddPlane) {
 }
 
 TEST(Stiction, StopsForGood) {
-  Problem p = block(0.2, {0.5, 0.4}, 20);
+  RigidProblem p = block(0.2, {0.5, 0.4}, 20);
   p.gravity = tilted_gravity(0.4);
   p.V_WB.v = -x_axis;
   const Trajectory t = run(p, {1e-10, 1e-2, 1});

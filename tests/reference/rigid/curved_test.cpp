@@ -9,10 +9,10 @@ namespace {
 
 namespace exact = closed_form;
 
-double dome(const Surface& surface, const Options& options) {
+double dome(const RigidSurface& surface, const Options& options) {
   Worst worst;
   for (const exact::Dome& d : {exact::Dome{0.1, 0.3, 0.35, 0, g}, exact::Dome{0.1, 0.5, 0.1, 0.7, g}}) {
-    Problem p = block(0.2, {d.mu, d.mu}, exact::lift_off_time(d) + 0.05);
+    RigidProblem p = block(0.2, {d.mu, d.mu}, exact::lift_off_time(d) + 0.05);
     p.supports[0].surface = surface;
     p.X_WB.p = d.radius * Eigen::Vector3d(std::sin(d.start_angle), 0, std::cos(d.start_angle));
     p.V_WB.v = d.start_speed * Eigen::Vector3d(std::cos(d.start_angle), 0, -std::sin(d.start_angle));
@@ -31,10 +31,10 @@ double dome(const Surface& surface, const Options& options) {
 double c14_dome(const Options& options) { return dome(make_sphere({0, 0, 0}, 0.1), options); }
 double c14_log(const Options& options) { return dome(make_cylinder({0, 0, 0}, y_axis, 0.1), options); }
 
-double bowl(const Surface& surface, const exact::Bowl& b, const Options& options) {
+double bowl(const RigidSurface& surface, const exact::Bowl& b, const Options& options) {
   Worst worst;
   const std::vector<double> angles = exact::turning_angles(b), times = exact::turning_times(b);
-  Problem p = block(0.2, b.friction, times.back() + 0.1);
+  RigidProblem p = block(0.2, b.friction, times.back() + 0.1);
   p.supports[0].surface = surface;
   p.X_WB.p = b.radius * Eigen::Vector3d(std::sin(b.start_angle), 0, -std::cos(b.start_angle));
   const Trajectory t = run(p, options);
@@ -59,8 +59,8 @@ double c15_bowl(const Options& options) {
 
 double c16_wall(const Options& options) {
   const exact::WallSlide w{};
-  Problem p = block(0.2, {w.mu_floor, w.mu_floor}, exact::stop_time(w) + 0.1);
-  Support wall;
+  RigidProblem p = block(0.2, {w.mu_floor, w.mu_floor}, exact::stop_time(w) + 0.1);
+  RigidSupport wall;
   wall.surface = make_cylinder({0, 0, 0}, z_axis, w.radius, true);
   wall.friction = {w.mu_wall, w.mu_wall};
   p.supports.push_back(wall);

@@ -10,8 +10,8 @@
 namespace handhold::reference::rigid::testing {
 namespace {
 
-void expect_refusal(const std::function<void(Problem&)>& spoil, const std::string& word) {
-  Problem p = block(0.2, {0.5, 0.4}, 0.1);
+void expect_refusal(const std::function<void(RigidProblem&)>& spoil, const std::string& word) {
+  RigidProblem p = block(0.2, {0.5, 0.4}, 0.1);
   spoil(p);
   try {
     (void)simulate(p);
@@ -25,49 +25,50 @@ void expect_refusal(const std::function<void(Problem&)>& spoil, const std::strin
 
 TEST(RigidInput, IsRefusedWithAReason) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  expect_refusal([](Problem& p) { p.mass = -1; }, "mass");
-  expect_refusal([&](Problem& p) { p.mass = nan; }, "mass");
-  expect_refusal([](Problem& p) { p.inertia = Eigen::Vector3d(1, 1, 3).asDiagonal(); }, "inertia");
-  expect_refusal([&](Problem& p) { p.inertia(0, 0) = nan; }, "inertia");
-  expect_refusal([](Problem& p) { p.mobility = Mobility::fixed; }, "mobility");
-  expect_refusal([](Problem& p) { p.X_WB.R.coeffs().setZero(); }, "quaternion");
-  expect_refusal([](Problem& p) { p.V_WB.w.x() = 1; }, "translating");
-  expect_refusal([&](Problem& p) { p.gravity.x() = nan; }, "gravity");
-  expect_refusal([](Problem& p) { p.duration = 0; }, "duration");
-  expect_refusal([](Problem& p) { p.supports.resize(6, p.supports[0]); }, "6 supports");
-  expect_refusal([](Problem& p) { p.supports[0].friction = {0.3, 0.4}; }, "mu");
-  expect_refusal([](Problem& p) { p.supports[0].surface.direction.setZero(); }, "direction");
-  expect_refusal([](Problem& p) { p.supports[0].surface = make_sphere({0, 0, 0}, 0); }, "radius 0");
-  expect_refusal([](Problem& p) { p.supports[0].radius = -1; }, "radius");
-  expect_refusal([](Problem& p) { p.X_WB.p.z() = -1e-3; }, "starts inside");
+  expect_refusal([](RigidProblem& p) { p.mass = -1; }, "mass");
+  expect_refusal([&](RigidProblem& p) { p.mass = nan; }, "mass");
+  expect_refusal([](RigidProblem& p) { p.inertia = Eigen::Vector3d(1, 1, 3).asDiagonal(); }, "inertia");
+  expect_refusal([&](RigidProblem& p) { p.inertia(0, 0) = nan; }, "inertia");
+  expect_refusal([](RigidProblem& p) { p.mobility = Mobility::fixed; }, "mobility");
+  expect_refusal([](RigidProblem& p) { p.X_WB.R.coeffs().setZero(); }, "quaternion");
+  expect_refusal([](RigidProblem& p) { p.V_WB.w.x() = 1; }, "translating");
+  expect_refusal([&](RigidProblem& p) { p.gravity.x() = nan; }, "gravity");
+  expect_refusal([](RigidProblem& p) { p.duration = 0; }, "duration");
+  expect_refusal([](RigidProblem& p) { p.supports.resize(6, p.supports[0]); }, "6 supports");
+  expect_refusal([](RigidProblem& p) { p.supports[0].friction = {0.3, 0.4}; }, "mu");
+  expect_refusal([](RigidProblem& p) { p.supports[0].surface.direction.setZero(); }, "direction");
+  expect_refusal([](RigidProblem& p) { p.supports[0].surface = make_sphere({0, 0, 0}, 0); }, "radius 0");
+  expect_refusal([](RigidProblem& p) { p.supports[0].radius = -1; }, "radius");
+  expect_refusal([](RigidProblem& p) { p.X_WB.p.z() = -1e-3; }, "starts inside");
   expect_refusal(
-      [](Problem& p) {
+      [](RigidProblem& p) {
         p.supports[0].surface = make_sphere({0, 0, 0}, 1, true);
         p.supports[0].radius = 2;
       },
       "wider");
   expect_refusal(
-      [](Problem& p) {
+      [](RigidProblem& p) {
         p.supports[0].surface = make_sphere({0, 0, -1}, 1);
         p.supports[0].normal_force = [](double) { return 1.0; };
       },
       "only planes");
   expect_refusal(
-      [](Problem& p) {
+      [](RigidProblem& p) {
         p.mobility = Mobility::free;
         p.supports[0].normal_force = [](double) { return 1.0; };
       },
       "rotates");
   expect_refusal(
-      [](Problem& p) {
+      [](RigidProblem& p) {
         p.supports[0].motion = [](double t) { return PathPoint{{std::sin(t), 0, 0}, {0, 0, 0}, {0, 0, 0}}; };
       },
       "derivatives");
-  expect_refusal([](Problem& p) { p.springs = {{-1, {0, 0, 0}, {0, 0, 0}, {}}}; }, "stiffness");
-  expect_refusal([&](Problem& p) { p.load = [=](double, const BodyState&) {
-                                     return Load{{nan, 0, 0}, {0, 0, 0}};
-                                   }; },
-                 "load");
+  expect_refusal([](RigidProblem& p) { p.springs = {{-1, {0, 0, 0}, {0, 0, 0}, {}}}; }, "stiffness");
+  expect_refusal(
+      [&](RigidProblem& p) { p.load = [=](double, const BodyState&) {
+                               return Load{{nan, 0, 0}, {0, 0, 0}};
+                             }; },
+      "load");
 }
 
 TEST(RigidInput, OptionsAreRefusedWithAReason) {
@@ -77,7 +78,7 @@ TEST(RigidInput, OptionsAreRefusedWithAReason) {
 }
 
 TEST(RigidOutcome, SaysWhatStalledARun) {
-  Problem p = block(0.2, {0.5, 0.4}, 0.1);
+  RigidProblem p = block(0.2, {0.5, 0.4}, 0.1);
   p.load = [](double t, const BodyState&) { return Load{{t > 0.05 ? std::nan("") : 0, 0, 0}, {0, 0, 0}}; };
   Trajectory t = simulate(p);
   EXPECT_EQ(t.outcome, Outcome::stalled);
@@ -85,7 +86,7 @@ TEST(RigidOutcome, SaysWhatStalledARun) {
 
   p = block(0.2, {0.5, 0.4}, 0.3);  // slides on the floor into a wall
   p.V_WB.v = x_axis;
-  Support wall = p.supports[0];
+  RigidSupport wall = p.supports[0];
   wall.surface = make_plane(0.05 * x_axis, -x_axis);
   p.supports.push_back(wall);
   t = simulate(p);
@@ -99,7 +100,7 @@ TEST(RigidOutcome, SaysWhatStalledARun) {
 }
 
 TEST(RigidRuns, GiveTheSameBitsAgain) {
-  Problem p = ball(0.3, 0.04, 0.4, 0.3, 0.4);
+  RigidProblem p = ball(0.3, 0.04, 0.4, 0.3, 0.4);
   p.V_WB = {{3, -20, 5}, {1.5, 0.4, 0}};
   const Trajectory a = simulate(p), b = simulate(p);
   ASSERT_EQ(a.frames.size(), b.frames.size());
@@ -114,7 +115,7 @@ TEST(RigidRuns, GiveTheSameBitsAgain) {
 /// Landing askew: a plastic impact under friction. By hand: the normal impulse m v_z, friction at most μ of it.
 TEST(RigidImpacts, ObeyTheConeOfImpulses) {
   for (const double across : {0.3, 3.0}) {  // within the cone it stays; beyond it slides on at μ_d v_z less
-    Problem p = block(0.2, {0.5, 0.4}, 0.2);
+    RigidProblem p = block(0.2, {0.5, 0.4}, 0.2);
     p.X_WB.p.z() = 0.05;
     p.V_WB.v = across * x_axis;
     const Trajectory t = simulate(p);

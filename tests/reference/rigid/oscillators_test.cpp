@@ -11,8 +11,8 @@ namespace {
 namespace exact = closed_form;
 using std::numbers::pi;
 
-Problem on_spring(double mass, double stiffness, const Friction& friction, double x, double duration) {
-  Problem p = block(mass, friction, duration);
+RigidProblem on_spring(double mass, double stiffness, const Friction& friction, double x, double duration) {
+  RigidProblem p = block(mass, friction, duration);
   p.X_WB.p.x() = x;
   p.springs = {{stiffness, {0, 0, 0}, {0, 0, 0}, {}}};
   return p;
@@ -24,7 +24,7 @@ double c05_harmonic_force(const Options& options) {
        {exact::HarmonicForce{0.2, 1.4, 10, g, {0.5, 0.4}}, exact::HarmonicForce{0.2, 1.4, 10, g, {0.5, 0.5}},
         exact::HarmonicForce{0.1, 0.6, 40, g, {0.6, 0.45}}}) {
     const double half = pi / h.frequency;
-    Problem p = block(h.mass, h.friction, 2 * half + exact::stop_time(h) + 0.01 * half);
+    RigidProblem p = block(h.mass, h.friction, 2 * half + exact::stop_time(h) + 0.01 * half);
     p.load = [=](double t, const BodyState&) { return Load{h.force * std::sin(h.frequency * t) * x_axis, {0, 0, 0}}; };
     const Trajectory t = run(p, options);
     worst.require(t.events.size() == 6);
@@ -67,7 +67,7 @@ double c07_den_hartog(const Options& options) {
   for (const exact::DenHartog& d :
        {exact::DenHartog{0.2, 50, 1, 10, 0.2, g}, exact::DenHartog{0.2, 50, 1, 25, 0.1, g}}) {
     const double half = pi / d.frequency, X = exact::amplitude(d);
-    Problem p = on_spring(d.mass, d.stiffness, {d.mu, d.mu}, X, 10 * half + 0.3 * half);
+    RigidProblem p = on_spring(d.mass, d.stiffness, {d.mu, d.mu}, X, 10 * half + 0.3 * half);
     p.load = [=](double t, const BodyState&) {
       return Load{d.force * std::cos(d.frequency * t + exact::phase(d)) * x_axis, {0, 0, 0}};
     };
@@ -87,7 +87,7 @@ double c07_den_hartog(const Options& options) {
 double belt(const exact::BeltOscillator& b, const Options& options) {
   Worst worst;
   const double period = exact::stick_time(b) + exact::slip_time(b);
-  Problem p = on_spring(b.mass, b.stiffness, b.friction, exact::restick_position(b), 3.2 * period);
+  RigidProblem p = on_spring(b.mass, b.stiffness, b.friction, exact::restick_position(b), 3.2 * period);
   p.V_WB.v = b.speed * x_axis;
   p.supports[0].motion = steady(b.speed * x_axis);
   const Trajectory t = run(p, options);
@@ -112,7 +112,7 @@ double c09_palm(const Options& options) {
   for (const exact::OscillatingPalm& palm :
        {exact::OscillatingPalm{0.05, 20, 0.4, g}, exact::OscillatingPalm{0.02, 50, 0.5, g}}) {
     const double half = pi / palm.frequency, v = exact::peak_speed(palm);
-    Problem p = block(0.2, {palm.mu, palm.mu}, 6.3 * half);
+    RigidProblem p = block(0.2, {palm.mu, palm.mu}, 6.3 * half);
     p.supports[0].motion = sine(x_axis, palm.amplitude, palm.frequency, exact::switching_phase(palm));
     p.V_WB.v = v * x_axis;
     const Trajectory t = run(p, options);
@@ -130,7 +130,7 @@ double c09_palm(const Options& options) {
 /// Below the limit it goes with the palm, to the bit of its velocity error.
 double c09_palm_sticking(const Options& options) {
   const exact::OscillatingPalm palm{0.05, 9, 0.6, g};
-  Problem p = block(0.2, {palm.mu, palm.mu}, 1);
+  RigidProblem p = block(0.2, {palm.mu, palm.mu}, 1);
   p.supports[0].motion = sine(x_axis, palm.amplitude, palm.frequency);
   p.V_WB.v = exact::peak_speed(palm) * x_axis;
   const Trajectory t = run(p, options);

@@ -17,7 +17,7 @@ std::function<double(double)> constant(double N) {
   return [=](double) { return N; };
 }
 
-Path accelerating(double a) {
+RigidPath accelerating(double a) {
   return [=](double t) { return PathPoint{0.5 * a * t * t * z_axis, a * t * z_axis, a * z_axis}; };
 }
 
@@ -69,7 +69,7 @@ double d02_opening(const Options& options) {
 
 double d03_catch(const Options& options) {
   const exact::PinchCatch c{};
-  Problem p = grip(
+  RigidProblem p = grip(
       2, c.mass, c.friction, [=](double t) { return c.normal_force + c.rate * t; }, {}, 0.6);
   p.V_WB.v = -c.speed * z_axis;
   const Trajectory t = run(p, options);
@@ -91,8 +91,8 @@ double d04_shaken(const Options& options) {
                                         exact::VerticalShake{0.2, 2.6, 0.01, 25, g, {0.5, 0.5}},
                                         exact::VerticalShake{0.2, 4, 0.005, 30, g, {0.5, 0.4}}}) {
     const double period = 2 * pi / s.frequency;
-    Problem p = grip(2, s.mass, s.friction, constant(s.normal_force), sine(z_axis, s.amplitude, s.frequency),
-                     exact::slips(s) ? exact::stop_time(s) + 1.02 * period : 2 * period);
+    RigidProblem p = grip(2, s.mass, s.friction, constant(s.normal_force), sine(z_axis, s.amplitude, s.frequency),
+                          exact::slips(s) ? exact::stop_time(s) + 1.02 * period : 2 * period);
     p.V_WB.v = s.amplitude * s.frequency * z_axis;
     const Trajectory t = run(p, options);
     worst.require(t.events.size() == (exact::slips(s) ? 8u : 0u));  // two cycles, two fingers, onset and stop
@@ -137,7 +137,7 @@ Eigen::Vector4d slide_by_hand(const exact::SideShake& s, double mu_dynamic, doub
 double d06_vector_cone(const Options& options) {
   const exact::SideShake s{};
   const double end = exact::slip_onset(s) + 0.03, w = s.frequency;
-  Problem p = grip(2, s.mass, {s.mu_static, 0.4}, constant(s.normal_force), sine(x_axis, s.amplitude, w), end);
+  RigidProblem p = grip(2, s.mass, {s.mu_static, 0.4}, constant(s.normal_force), sine(x_axis, s.amplitude, w), end);
   p.V_WB.v = s.amplitude * w * x_axis;
   const Trajectory t = run(p, options);
   Worst worst;
@@ -155,7 +155,7 @@ double d06_vector_cone(const Options& options) {
 double d13_palm_lift(const Options& options) {
   Worst worst;
   for (const exact::PalmLift& l : {exact::PalmLift{0.05, 18, g, 0.2, 0}, exact::PalmLift{0.02, 40, g, 0.2, 0}}) {
-    Problem p = block(0.2, {0.5, 0.4}, exact::landing(l) + 0.01);
+    RigidProblem p = block(0.2, {0.5, 0.4}, exact::landing(l) + 0.01);
     p.supports[0].motion = sine(z_axis, l.amplitude, l.frequency);
     p.V_WB.v = l.amplitude * l.frequency * z_axis;
     const Trajectory t = run(p, options);

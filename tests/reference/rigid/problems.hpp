@@ -79,20 +79,20 @@ inline auto at_all_accuracies(const std::vector<RigidCase>& cases) {
 }
 
 /// A run that must come to its end.
-inline Trajectory run(const Problem& problem, const Options& options) {
+inline Trajectory run(const RigidProblem& problem, const Options& options) {
   Trajectory t = simulate(problem, options);
   if (t.outcome != Outcome::complete) throw std::runtime_error("the run stalled: " + t.note);
   return t;
 }
 
 /// A small block on the plane z = 0.
-inline Problem block(double mass, const Friction& friction, double duration) {
-  Problem p;
+inline RigidProblem block(double mass, const Friction& friction, double duration) {
+  RigidProblem p;
   p.mass = mass;
   p.mobility = Mobility::translation;
   p.gravity = -g * z_axis;
   p.duration = duration;
-  Support floor;
+  RigidSupport floor;
   floor.surface = make_plane(Eigen::Vector3d::Zero(), z_axis);
   floor.friction = friction;
   p.supports = {floor};
@@ -105,7 +105,7 @@ inline Eigen::Vector3d tilted_gravity(double slope, double gravity = g) {
 }
 
 /// `amplitude` sin(frequency t + phase) along an axis.
-inline Path sine(const Eigen::Vector3d& axis, double amplitude, double frequency, double phase = 0) {
+inline RigidPath sine(const Eigen::Vector3d& axis, double amplitude, double frequency, double phase = 0) {
   return [=](double t) {
     const double angle = frequency * t + phase;
     return PathPoint{amplitude * std::sin(angle) * axis, amplitude * frequency * std::cos(angle) * axis,
@@ -113,14 +113,14 @@ inline Path sine(const Eigen::Vector3d& axis, double amplitude, double frequency
   };
 }
 
-inline Path steady(const Eigen::Vector3d& velocity) {
+inline RigidPath steady(const Eigen::Vector3d& velocity) {
   return [=](double t) { return PathPoint{t * velocity, velocity, Eigen::Vector3d::Zero()}; };
 }
 
 /// Fingers evenly around the z axis that press inwards with N(t) each, on feet of a body that does not turn.
-inline Problem grip(int fingers, double mass, const Friction& friction, const std::function<double(double)>& N,
-                    const Path& hand, double duration) {
-  Problem p;
+inline RigidProblem grip(int fingers, double mass, const Friction& friction, const std::function<double(double)>& N,
+                         const RigidPath& hand, double duration) {
+  RigidProblem p;
   p.mass = mass;
   p.mobility = Mobility::translation;
   p.gravity = -g * z_axis;
@@ -128,7 +128,7 @@ inline Problem grip(int fingers, double mass, const Friction& friction, const st
   for (int i = 0; i < fingers; ++i) {
     const double angle = 2 * std::acos(-1.0) * (i + 0.25 * fingers) / fingers;  // two fingers: along y
     const Eigen::Vector3d out(std::cos(angle), std::sin(angle), 0);
-    Support finger;
+    RigidSupport finger;
     finger.surface = make_plane(0.03 * out, -out);
     finger.motion = hand;
     finger.normal_force = N;
@@ -140,8 +140,8 @@ inline Problem grip(int fingers, double mass, const Friction& friction, const st
 }
 
 /// A ball of inertia β m r² that touches the plane z = 0.
-inline Problem ball(double mass, double radius, double beta, double mu, double duration) {
-  Problem p = block(mass, {mu, mu}, duration);
+inline RigidProblem ball(double mass, double radius, double beta, double mu, double duration) {
+  RigidProblem p = block(mass, {mu, mu}, duration);
   p.mobility = Mobility::free;
   p.inertia = Eigen::Matrix3d::Identity() * beta * mass * radius * radius;
   p.X_WB.p = radius * z_axis;

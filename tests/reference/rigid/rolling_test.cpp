@@ -12,7 +12,7 @@ namespace exact = closed_form;
 /// E01 and E02: slides, then rolls.
 void sliding_ball(const exact::SlidingBall& b, double mass, const Options& options, Worst& worst) {
   const double roll = exact::roll_time(b), end = roll + 0.1;
-  Problem p = ball(mass, b.radius, b.beta, b.mu, end);
+  RigidProblem p = ball(mass, b.radius, b.beta, b.mu, end);
   p.V_WB.v.head<2>() = b.velocity;
   p.V_WB.w = b.spin;
   const Trajectory t = run(p, options);
@@ -46,14 +46,14 @@ double e02_masse(const Options& options) {
 }
 
 /// A ball between the resting plate z = −r and one that presses from above and moves.
-Problem between_plates(double mass, double r, double beta, double N, double mu, const Path& upper, const Path& lower,
-                       double duration) {
-  Problem p = ball(mass, r, beta, mu, duration);
+RigidProblem between_plates(double mass, double r, double beta, double N, double mu, const RigidPath& upper,
+                            const RigidPath& lower, double duration) {
+  RigidProblem p = ball(mass, r, beta, mu, duration);
   p.gravity.setZero();
   p.X_WB.p.setZero();
   p.supports[0].surface = make_plane(-r * z_axis, z_axis);
   p.supports[0].motion = lower;
-  Support top = p.supports[0];
+  RigidSupport top = p.supports[0];
   top.surface = make_plane(r * z_axis, -z_axis);
   top.motion = upper;
   top.normal_force = [=](double) { return N; };
@@ -64,7 +64,7 @@ Problem between_plates(double mass, double r, double beta, double N, double mu, 
 double e03_rolled_ball(const Options& options) {
   const exact::RolledBall b{};
   const double end = exact::slip_onset(b) + 0.2;
-  const Path plate = [=](double t) {
+  const RigidPath plate = [=](double t) {
     return PathPoint{b.jerk * t * t * t / 6 * x_axis, b.jerk * t * t / 2 * x_axis, b.jerk * t * x_axis};
   };
   const Trajectory t = run(between_plates(b.mass, b.radius, b.beta, b.normal_force, b.mu, plate, {}, end), options);
@@ -108,7 +108,7 @@ double e04_carried_ball(const Options& options) {
 double e05_roll_down(const Options& options) {
   Worst worst;
   for (const exact::RollDown& b : {exact::RollDown{0.03, 0.4, 0.5, 0.3, g}, exact::RollDown{0.03, 0.5, 0.9, 0.3, g}}) {
-    Problem p = ball(0.2, b.radius, b.beta, b.mu, exact::time_at(b, 0.2));
+    RigidProblem p = ball(0.2, b.radius, b.beta, b.mu, exact::time_at(b, 0.2));
     p.gravity = tilted_gravity(b.slope);
     const Trajectory t = run(p, options);
     const Frame& last = t.frames.back();

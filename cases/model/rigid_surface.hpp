@@ -2,10 +2,10 @@
 
 #include <Eigen/Core>
 
-namespace handhold::reference::rigid {
+namespace handhold {
 
 /// A rigid implicit surface in W. Bodies touch it from the side to which its normal points.
-struct Surface {
+struct RigidSurface {
   enum class Kind { plane, sphere, cylinder };
 
   Kind kind{Kind::plane};
@@ -15,10 +15,10 @@ struct Surface {
   bool hollow{false};                                   ///< touched from inside: a bowl, a tube
 };
 
-[[nodiscard]] Surface make_plane(const Eigen::Vector3d& point, const Eigen::Vector3d& outward_normal);
-[[nodiscard]] Surface make_sphere(const Eigen::Vector3d& center, double radius, bool hollow = false);
-[[nodiscard]] Surface make_cylinder(const Eigen::Vector3d& point, const Eigen::Vector3d& axis, double radius,
-                                    bool hollow = false);
+[[nodiscard]] RigidSurface make_plane(const Eigen::Vector3d& point, const Eigen::Vector3d& outward_normal);
+[[nodiscard]] RigidSurface make_sphere(const Eigen::Vector3d& center, double radius, bool hollow = false);
+[[nodiscard]] RigidSurface make_cylinder(const Eigen::Vector3d& point, const Eigen::Vector3d& axis, double radius,
+                                         bool hollow = false);
 
 /// The signed distance φ at a point, and its first two derivatives.
 struct Proximity {
@@ -28,6 +28,6 @@ struct Proximity {
 };
 
 /// At the point x [m]. Exact for all three kinds, so that a ball of radius r touches where φ(centre) = r.
-[[nodiscard]] Proximity proximity(const Surface& surface, const Eigen::Vector3d& x);
+[[nodiscard]] Proximity proximity(const RigidSurface& surface, const Eigen::Vector3d& x);
 
-}  // namespace handhold::reference::rigid
+}  // namespace handhold

@@ -5,13 +5,13 @@
 
 #include <Eigen/Core>
 
+#include "cases/model/body.hpp"
 #include "cases/model/friction.hpp"
 #include "cases/model/pose.hpp"
 #include "cases/model/recording.hpp"
-#include "cases/model/scene.hpp"
-#include "reference/rigid/surface.hpp"
+#include "cases/model/rigid_surface.hpp"
 
-namespace handhold::reference::rigid {
+namespace handhold {
 
 /// A prescribed translation and its two derivatives, in W.
 struct PathPoint {
@@ -21,9 +21,9 @@ struct PathPoint {
 };
 
 /// Twice continuously differentiable in t; validate() compares v and a with differences of p and v. Empty: at rest.
-using Path = std::function<PathPoint(double t)>;
+using RigidPath = std::function<PathPoint(double t)>;
 
-[[nodiscard]] PathPoint at(const Path& path, double t);
+[[nodiscard]] PathPoint at(const RigidPath& path, double t);
 
 /// A hard contact of the body with a surface. The body touches with a point fixed in it (a foot: where it stands, not
 /// where a finger wanders over its face) or with a ball fixed in it, which touches where the surface is nearest.
@@ -32,9 +32,9 @@ using Path = std::function<PathPoint(double t)>;
 /// pull, and meets it again with a plastic impact. Force-controlled: a finger or plate that follows the body along its
 /// normal and presses with N(t); it is apart while N(t) <= 0. Both: stick (a ball rolls) as long as |f| <= μ_s N, else
 /// slip with f = −μ_d N against the sliding velocity, in any tangential direction.
-struct Support {
-  Surface surface{};                               ///< at path position 0
-  Path motion{};                                   ///< translation of the surface
+struct RigidSupport {
+  RigidSurface surface{};                          ///< at path position 0
+  RigidPath motion{};                              ///< translation of the surface
   std::function<double(double t)> normal_force{};  ///< N(t) [N], continuous; planes only
   Friction friction{};
   Eigen::Vector3d point_B{Eigen::Vector3d::Zero()};  ///< the foot, or the centre of the ball [m]
@@ -42,11 +42,11 @@ struct Support {
 };
 
 /// A spring of no length from a point of the body to a moving point: force k (s(t) − p) on the body.
-struct Spring {
+struct RigidSpring {
   double stiffness{};                                 ///< k [N/m]
   Eigen::Vector3d point_B{Eigen::Vector3d::Zero()};   ///< [m]
   Eigen::Vector3d anchor_W{Eigen::Vector3d::Zero()};  ///< at path position 0 [m]
-  Path motion{};                                      ///< translation of the anchor
+  RigidPath motion{};                                 ///< translation of the anchor
 };
 
 /// Force at the centre of mass and torque as a function of time and of the body's motion.
@@ -57,20 +57,20 @@ using AppliedLoad = std::function<Load(double t, const BodyState& body)>;
 /// Honest for one contact, for contacts that are alike by symmetry (their share of the load is then equal: the solution
 /// of least norm), and for contacts whose forces the motion determines. Where rigid bodies leave the share open, the
 /// share is one of many.
-struct Problem {
+struct RigidProblem {
   double mass{1};                                        ///< [kg]
   Eigen::Matrix3d inertia{Eigen::Matrix3d::Identity()};  ///< about the centre of mass, axes of B [kg m²]
   Mobility mobility{Mobility::free};                     ///< free or translation
   Pose X_WB{};                                           ///< at t = 0
   Twist V_WB{};                                          ///< at t = 0
   Eigen::Vector3d gravity{0, 0, -9.81};                  ///< [m/s²]
-  std::vector<Support> supports{};                       ///< at most 5
-  std::vector<Spring> springs{};
+  std::vector<RigidSupport> supports{};                  ///< at most 5
+  std::vector<RigidSpring> springs{};
   AppliedLoad load{};  ///< empty: none
   double duration{1};  ///< [s]
 };
 
 /// Throws InputError naming the first thing that cannot be simulated.
-void validate(const Problem& problem);
+void validate(const RigidProblem& problem);
 
-}  // namespace handhold::reference::rigid
+}  // namespace handhold

@@ -1,4 +1,4 @@
-#include "cases/hand/hand_motion.hpp"
+#include "cases/hand/trace_spline.hpp"
 
 #include <cmath>
 #include <functional>
@@ -48,7 +48,7 @@ struct Errors {
 
 /// Largest errors inside [0, 1]; the trace begins a second earlier and ends one later, where the ends are natural.
 Errors errors_at(double rate) {
-  const HandMotion motion(screw_trace(rate), 0);
+  const TraceSpline motion(screw_trace(rate), 0);
   Errors e;
   for (int i = 0; i <= 1000; ++i) {
     const double t = i / 1000.0;
@@ -65,7 +65,7 @@ Errors errors_at(double rate) {
 // Cubic splines: order 4 in value and 3 in derivative (de Boor 1978, ch. V), to 0.1 between 60, 120 and 240 Hz. The
 // rotation gains an order at a constant rate: q = (w/2)^4 q, so the leading error points along q and renormalising
 // removes it.
-TEST(HandMotion, ConvergesAtTheOrderOfCubicSplines) {
+TEST(TraceSpline, ConvergesAtTheOrderOfCubicSplines) {
   const Errors coarse = errors_at(60), middle = errors_at(120), fine = errors_at(240);
   EXPECT_NEAR(std::log2(coarse.p / middle.p), 4, 0.1);
   EXPECT_NEAR(std::log2(middle.p / fine.p), 4, 0.1);
@@ -76,7 +76,7 @@ TEST(HandMotion, ConvergesAtTheOrderOfCubicSplines) {
 
 // |x - s| <= 5/384 h^4 |x''''| for the complete spline (Hall & Meyer 1976); here |x''''| = 0.1 * 5^4, h = 1/120: 3.9e-9
 // m.
-TEST(HandMotion, PositionErrorIsWithinTheSharpBound) {
+TEST(TraceSpline, PositionErrorIsWithinTheSharpBound) {
   const double bound = 5.0 / 384 * std::pow(1.0 / 120, 4) * 0.1 * std::pow(5, 4);
   // Away from the knots' ends; the bound is for each coordinate, the error a vector of two.
   EXPECT_LT(errors_at(120).p, std::sqrt(2.0) * bound);
@@ -85,8 +85,8 @@ TEST(HandMotion, PositionErrorIsWithinTheSharpBound) {
 
 // The twist is the exact derivative of the interpolant: central differences of it with step s agree within s²/6 |x'''|
 // (about 1e-10 * 12.5 / 6 for s = 1e-5 on p, 1e-10 * 64 / 6 on the rotation) and rounding 1e-16 / 1e-5 * (distance 1).
-TEST(HandMotion, TwistIsTheDerivativeOfTheInterpolant) {
-  const HandMotion motion(screw_trace(30), 0);  // coarse: the interpolant itself is well off the screw
+TEST(TraceSpline, TwistIsTheDerivativeOfTheInterpolant) {
+  const TraceSpline motion(screw_trace(30), 0);  // coarse: the interpolant itself is well off the screw
   const double s = 1e-5;
   for (int i = 1; i < 100; ++i) {
     const double t = 0.01 * i + 0.0003;
@@ -100,9 +100,9 @@ TEST(HandMotion, TwistIsTheDerivativeOfTheInterpolant) {
 
 // Across a knot: value, first and second derivative agree from both sides. One-sided second differences of velocity
 // with step s differ by s |x'''| = 1e-6 * 100 at most; a C1 spline would jump by h |x'''| = 0.03 * 12.5 = 0.4.
-TEST(HandMotion, IsTwiceContinuouslyDifferentiableAtKnots) {
+TEST(TraceSpline, IsTwiceContinuouslyDifferentiableAtKnots) {
   const Trace trace = screw_trace(30);
-  const HandMotion motion(trace, 0);
+  const TraceSpline motion(trace, 0);
   const double s = 1e-6;
   for (std::size_t i = 20; i < 60; ++i) {
     const double t = trace.t[i];
@@ -114,9 +114,9 @@ TEST(HandMotion, IsTwiceContinuouslyDifferentiableAtKnots) {
   }
 }
 
-TEST(HandMotion, PassesThroughItsSamples) {
+TEST(TraceSpline, PassesThroughItsSamples) {
   const Trace trace = screw_trace(50);
-  const HandMotion motion(trace, 0);
+  const TraceSpline motion(trace, 0);
   for (std::size_t i = 0; i < trace.t.size(); ++i) {
     const Pose X = motion.pose(9, trace.t[i]);
     EXPECT_LT((X.p - trace.hands[0].samples[i].X_WP[9].p).norm(), 1e-14);
@@ -126,13 +126,13 @@ TEST(HandMotion, PassesThroughItsSamples) {
 }
 
 // q and -q are the same rotation: flipping the sign of every other sample changes nothing.
-TEST(HandMotion, QuaternionSignsDoNotMatter) {
+TEST(TraceSpline, QuaternionSignsDoNotMatter) {
   const Trace trace = screw_trace(60);
   Trace flipped = trace;
   for (std::size_t i = 0; i < flipped.t.size(); i += 2) {
     for (Pose& X : flipped.hands[0].samples[i].X_WP) X.R.coeffs() *= -1;
   }
-  const HandMotion a(trace, 0), b(flipped, 0);
+  const TraceSpline a(trace, 0), b(flipped, 0);
   for (double t = 0.001; t < 1; t += 0.013) {
     EXPECT_LT(a.pose(2, t).R.angularDistance(b.pose(2, t).R), 1e-14);
     EXPECT_LT((a.twist(2, t).w - b.twist(2, t).w).norm(), 1e-12);
@@ -147,11 +147,11 @@ void lose(Trace& trace, double begin, double end) {
 
 // 100 Hz from -1 to 2 s. Lost inside (0.1, 0.15): the samples at both ends are 0.05 s apart, bridged. Inside (0.5,
 // 0.9): 0.4 s.
-TEST(HandMotion, BridgesShortGapsAndSplitsAtLongOnes) {
+TEST(TraceSpline, BridgesShortGapsAndSplitsAtLongOnes) {
   Trace trace = screw_trace(100);
   lose(trace, 0.095, 0.155);
   lose(trace, 0.495, 0.905);
-  const HandMotion motion(trace, 0);
+  const TraceSpline motion(trace, 0);
   ASSERT_EQ(motion.presence().size(), 2u);
   EXPECT_NEAR(motion.presence()[0].begin, -1, 1e-12);
   EXPECT_NEAR(motion.presence()[0].end, 0.49, 1e-12);
@@ -165,10 +165,10 @@ TEST(HandMotion, BridgesShortGapsAndSplitsAtLongOnes) {
   EXPECT_FALSE(motion.present(2.5));
 }
 
-TEST(HandMotion, OutsidePresenceItRestsAtTheNearestEnd) {
+TEST(TraceSpline, OutsidePresenceItRestsAtTheNearestEnd) {
   Trace trace = screw_trace(100);
   lose(trace, 0.495, 0.905);
-  const HandMotion motion(trace, 0);
+  const TraceSpline motion(trace, 0);
   const auto expect_rest_at = [&](double t, double end) {
     EXPECT_LT((motion.pose(1, t).p - Screw{}.pose(end).p).norm(), 1e-12) << t;
     EXPECT_EQ(motion.twist(1, t).v.norm(), 0) << t;
@@ -181,43 +181,43 @@ TEST(HandMotion, OutsidePresenceItRestsAtTheNearestEnd) {
   EXPECT_GT(motion.twist(1, 0.49).v.norm(), 0.1);  // the ends themselves belong to the presence
 }
 
-TEST(HandMotion, ZeroBridgeSplitsAtEveryLostSample) {
+TEST(TraceSpline, ZeroBridgeSplitsAtEveryLostSample) {
   Trace trace = screw_trace(100);
   trace.hands[0].samples[150].tracked = false;
-  HandMotionOptions options;
+  TraceSplineOptions options;
   options.longest_bridge = 0;
-  EXPECT_EQ(HandMotion(trace, 0, options).presence().size(), 2u);
-  EXPECT_EQ(HandMotion(trace, 0).presence().size(), 1u);
+  EXPECT_EQ(TraceSpline(trace, 0, options).presence().size(), 2u);
+  EXPECT_EQ(TraceSpline(trace, 0).presence().size(), 1u);
 }
 
 // A trace at 5 Hz has ticks longer than the longest bridge: they are no gaps.
-TEST(HandMotion, ASlowTraceIsNotALostOne) {
-  const HandMotion motion(sample_trace("slow", Side::left, anatomical_hand(), Screw{}.function(), 0, 2, 5), 0);
+TEST(TraceSpline, ASlowTraceIsNotALostOne) {
+  const TraceSpline motion(sample_trace("slow", Side::left, anatomical_hand(), Screw{}.function(), 0, 2, 5), 0);
   EXPECT_EQ(motion.presence().size(), 1u);
   EXPECT_EQ(motion.side(), Side::left);
 }
 
-TEST(HandMotion, LonelySamplesAreNoPresence) {
+TEST(TraceSpline, LonelySamplesAreNoPresence) {
   Trace trace = screw_trace(10);
   for (std::size_t i = 0; i < trace.t.size(); ++i) trace.hands[0].samples[i].tracked = i % 8 == 0;
-  const HandMotion motion(trace, 0);
+  const TraceSpline motion(trace, 0);
   EXPECT_TRUE(motion.presence().empty());
   EXPECT_FALSE(motion.present(0));
   EXPECT_EQ(motion.twist(0, 0).v.norm(), 0);
 }
 
-TEST(HandMotion, TwoSamplesMakeAStraightLine) {
-  const HandMotion motion(sample_trace("two", Side::right, anatomical_hand(), Screw{}.function(), 0, 0.1, 10), 0);
+TEST(TraceSpline, TwoSamplesMakeAStraightLine) {
+  const TraceSpline motion(sample_trace("two", Side::right, anatomical_hand(), Screw{}.function(), 0, 0.1, 10), 0);
   const Vector3d middle = (Screw{}.pose(0).p + Screw{}.pose(0.1).p) / 2;
   EXPECT_LT((motion.pose(0, 0.05).p - middle).norm(), 1e-15);
 }
 
-TEST(HandMotion, RejectsWhatIsNotThere) {
+TEST(TraceSpline, RejectsWhatIsNotThere) {
   const Trace trace = screw_trace(10);
-  EXPECT_THROW(HandMotion(trace, 1), InputError);
-  HandMotionOptions options;
+  EXPECT_THROW(TraceSpline(trace, 1), InputError);
+  TraceSplineOptions options;
   options.longest_bridge = std::nan("");
-  EXPECT_THROW(HandMotion(trace, 0, options), InputError);
+  EXPECT_THROW(TraceSpline(trace, 0, options), InputError);
 }
 
 TEST(SampleTrace, HitsBothEndsExactly) {

@@ -1,4 +1,4 @@
-#include "cases/hand/hand_motion.hpp"
+#include "cases/hand/trace_spline.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -87,7 +87,7 @@ double median_tick(const std::vector<double>& t) {
 
 }  // namespace
 
-struct HandMotion::Splines {
+struct TraceSpline::Splines {
   struct Stretch {
     std::vector<double> knots;
     std::vector<Segment> segments;  // 16 of one knot interval side by side: all phalanges are asked for at one time
@@ -106,7 +106,7 @@ struct HandMotion::Splines {
   }
 };
 
-void HandMotion::Splines::add_stretch(const Trace& trace, const std::vector<HandSample>& samples,
+void TraceSpline::Splines::add_stretch(const Trace& trace, const std::vector<HandSample>& samples,
                                       const std::vector<std::size_t>& frames) {
   if (frames.size() < 2) return;  // one sample alone moves nothing
   Stretch stretch;
@@ -129,7 +129,7 @@ void HandMotion::Splines::add_stretch(const Trace& trace, const std::vector<Hand
   stretches.push_back(std::move(stretch));
 }
 
-Place HandMotion::Splines::place(double t) const {
+Place TraceSpline::Splines::place(double t) const {
   std::size_t n = 0;
   while (n + 1 < presence.size() && t > (presence[n].end + presence[n + 1].begin) / 2) ++n;
   const std::vector<double>& knots = stretches[n].knots;
@@ -139,7 +139,7 @@ Place HandMotion::Splines::place(double t) const {
   return {n, knot, clamped - knots[knot], clamped == t};
 }
 
-HandMotion::HandMotion(const Trace& trace, std::size_t hand, const HandMotionOptions& options) {
+TraceSpline::TraceSpline(const Trace& trace, std::size_t hand, const TraceSplineOptions& options) {
   validate(trace);
   if (hand >= trace.hands.size()) {
     throw InputError(fmt::format("trace \"{}\": hand {} was asked for, but it has {} (count from 0)", trace.name, hand,
@@ -172,32 +172,27 @@ HandMotion::HandMotion(const Trace& trace, std::size_t hand, const HandMotionOpt
   splines_ = std::move(splines);
 }
 
-Side HandMotion::side() const { return splines_->side; }
+Side TraceSpline::side() const { return splines_->side; }
 
-const std::vector<Interval>& HandMotion::presence() const { return splines_->presence; }
+const std::vector<Interval>& TraceSpline::presence() const { return splines_->presence; }
 
-bool HandMotion::present(double t) const {
-  const auto holds = [t](const Interval& i) { return i.begin <= t && t <= i.end; };
-  return std::any_of(splines_->presence.begin(), splines_->presence.end(), holds);
-}
+const std::vector<Interval>& TraceSpline::bridged() const { return splines_->bridged; }
 
-const std::vector<Interval>& HandMotion::bridged() const { return splines_->bridged; }
-
-std::vector<double> HandMotion::seen() const {
+std::vector<double> TraceSpline::seen() const {
   std::vector<double> times;
   for (const Splines::Stretch& stretch : splines_->stretches)
     times.insert(times.end(), stretch.knots.begin(), stretch.knots.end());
   return times;
 }
 
-Pose HandMotion::pose(int phalanx, double t) const {
+Pose TraceSpline::pose(int phalanx, double t) const {
   if (splines_->stretches.empty()) return {};
   const Place at = splines_->place(t);
   const Values y = splines_->segment(at, phalanx).value(at.s);
   return {raw_quaternion(y).normalized(), {y[0], y[1], y[2]}};
 }
 
-Twist HandMotion::twist(int phalanx, double t) const {
+Twist TraceSpline::twist(int phalanx, double t) const {
   if (splines_->stretches.empty()) return {};
   const Place at = splines_->place(t);
   if (!at.inside) return {};

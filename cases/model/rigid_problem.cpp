@@ -1,15 +1,14 @@
-#include "reference/rigid/problem.hpp"
+#include "cases/model/rigid_problem.hpp"
 
 #include <cmath>
 #include <string>
 
 #include <Eigen/Eigenvalues>
-#include <fmt/format.h>
 
 #include "cases/model/input_error.hpp"
-#include "reference/rigid/contact_point.hpp"
+#include "cases/model/text.hpp"
 
-namespace handhold::reference::rigid {
+namespace handhold {
 namespace {
 
 constexpr std::size_t most_supports = 5;    // modes are tried in all combinations
@@ -17,21 +16,21 @@ constexpr double path_tolerance = 1e-4;     // of derivatives against central di
 constexpr double overlap_tolerance = 1e-9;  // [m]
 
 [[noreturn]] void reject(const std::string& what, const std::string& rule, const std::string& advice) {
-  throw InputError(fmt::format("{}: {} ({})", what, rule, advice));
+  throw InputError(sentence(what, ": ", rule, " (", advice, ")"));
 }
 
-void check_body(const Problem& p) {
-  if (!(p.mass > 0) || !std::isfinite(p.mass)) reject(fmt::format("mass={} kg", p.mass), "must be > 0", "weigh it");
+void check_body(const RigidProblem& p) {
+  if (!(p.mass > 0) || !std::isfinite(p.mass)) reject(sentence("mass=", p.mass, " kg"), "must be > 0", "weigh it");
   if (p.mobility == Mobility::fixed) reject("mobility=fixed", "nothing to simulate", "choose free or translation");
   if (!p.inertia.allFinite() || !p.inertia.isApprox(p.inertia.transpose(), 1e-12))
     reject("inertia", "must be finite and symmetric", "give it about the centre of mass");
   const Eigen::Vector3d J = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(p.inertia).eigenvalues();
   if (!(J[0] > 0) || J[0] + J[1] < J[2] * (1 - 1e-12))
-    reject(fmt::format("inertia with principal moments {:g}, {:g}, {:g} kg m²", J[0], J[1], J[2]),
+    reject(sentence("inertia with principal moments ", J[0], ", ", J[1], ", ", J[2], " kg m²"),
            "no solid has it: all > 0, none greater than the other two together", "give it about the centre of mass");
 }
 
-void check_start(const Problem& p) {
+void check_start(const RigidProblem& p) {
   const double length = p.X_WB.R.norm();
   if (!p.X_WB.p.allFinite() || !(std::abs(length - 1) < 1e-6))
     reject("X_WB", "must be a finite place and a unit quaternion", "normalise it");
@@ -40,54 +39,54 @@ void check_start(const Problem& p) {
     reject("V_WB.w of a translating body", "must be zero", "use mobility free");
   if (!p.gravity.allFinite()) reject("gravity", "must be finite", "9.81 downwards is usual");
   if (!(p.duration > 0) || !std::isfinite(p.duration))
-    reject(fmt::format("duration={} s", p.duration), "must be finite and > 0", "give seconds");
+    reject(sentence("duration=", p.duration, " s"), "must be finite and > 0", "give seconds");
 }
 
 /// v = dp/dt and a = dv/dt by central differences at three instants.
-void check_path(const Path& path, double duration, const std::string& name) {
+void check_path(const RigidPath& path, double duration, const std::string& name) {
   for (const double t : {0.1 * duration, 0.45 * duration, 0.9 * duration}) {
     const double h = 1e-6 * duration;
     const PathPoint before = at(path, t - h), here = at(path, t), after = at(path, t + h);
     if (!here.p.allFinite() || !here.v.allFinite() || !here.a.allFinite())
-      reject(fmt::format("{} at t={} s", name, t), "its path must be finite", "check the path function");
+      reject(sentence(name, " at t=", t, " s"), "its path must be finite", "check the path function");
     const double v_error = ((after.p - before.p) / (2 * h) - here.v).norm() / (1 + here.v.norm());
     const double a_error = ((after.v - before.v) / (2 * h) - here.a).norm() / (1 + here.a.norm());
     if (v_error > path_tolerance || a_error > path_tolerance)
-      reject(fmt::format("{} at t={} s", name, t), "v and a must be the derivatives of its path's p",
+      reject(sentence(name, " at t=", t, " s"), "v and a must be the derivatives of its path's p",
              "check the path function");
   }
 }
 
-void check_surface(const Support& s, const std::string& name) {
-  const Surface& surface = s.surface;
+void check_surface(const RigidSupport& s, const std::string& name) {
+  const RigidSurface& surface = s.surface;
   if (!surface.point.allFinite() || !surface.direction.allFinite() || !(surface.direction.norm() > 0))
     reject(name, "its surface needs a finite place and a direction", "give the normal, or the axis");
-  if (surface.kind != Surface::Kind::plane && !(surface.radius > 0 && std::isfinite(surface.radius)))
-    reject(fmt::format("{} of radius {} m", name, surface.radius), "must be > 0", "or use a plane");
-  if (surface.kind != Surface::Kind::plane && surface.hollow && s.radius >= surface.radius)
-    reject(fmt::format("{}, hollow, of radius {} m", name, surface.radius), "must be wider than the ball in it",
+  if (surface.kind != RigidSurface::Kind::plane && !(surface.radius > 0 && std::isfinite(surface.radius)))
+    reject(sentence(name, " of radius ", surface.radius, " m"), "must be > 0", "or use a plane");
+  if (surface.kind != RigidSurface::Kind::plane && surface.hollow && s.radius >= surface.radius)
+    reject(sentence(name, ", hollow, of radius ", surface.radius, " m"), "must be wider than the ball in it",
            "use a smaller ball");
 }
 
-void check_pressed(const Problem& p, const Support& s, const std::string& name) {
+void check_pressed(const RigidProblem& p, const RigidSupport& s, const std::string& name) {
   if (!s.normal_force) return;
-  if (s.surface.kind != Surface::Kind::plane) reject(name, "only planes can press", "leave normal_force empty");
+  if (s.surface.kind != RigidSurface::Kind::plane) reject(name, "only planes can press", "leave normal_force empty");
   if (p.mobility == Mobility::free && s.radius == 0)
     reject(name, "a pressing plane on a foot of a body that rotates does not say where the finger is",
            "use mobility translation, or a ball");
   for (const double t : {0.0, 0.5 * p.duration, p.duration})
     if (!std::isfinite(s.normal_force(t)))
-      reject(fmt::format("{} at t={} s", name, t), "normal_force must be finite", "check the function");
+      reject(sentence(name, " at t=", t, " s"), "normal_force must be finite", "check the function");
 }
 
-void check_overlap(const Problem& p, const Support& s, const std::string& name) {
+void check_overlap(const RigidProblem& p, const RigidSupport& s, const std::string& name) {
   if (s.normal_force) return;
-  const double gap = contact_point(s, 0, motion_of({p.X_WB, p.V_WB})).gap;
+  const double gap = proximity(s.surface, p.X_WB * s.point_B - at(s.motion, 0).p).distance - s.radius;
   if (gap < -overlap_tolerance)
-    reject(fmt::format("{} with a gap of {:g} m at t=0", name, gap), "the body starts inside it", "move it out");
+    reject(sentence(name, " with a gap of ", gap, " m at t=0"), "the body starts inside it", "move it out");
 }
 
-void check_support(const Problem& p, const Support& s, const std::string& name) {
+void check_support(const RigidProblem& p, const RigidSupport& s, const std::string& name) {
   validate(s.friction);
   if (!s.point_B.allFinite() || !(s.radius >= 0) || !std::isfinite(s.radius))
     reject(name, "needs a finite point of the body and a ball radius >= 0", "0 is a foot");
@@ -97,7 +96,7 @@ void check_support(const Problem& p, const Support& s, const std::string& name) 
   check_overlap(p, s, name);
 }
 
-void check_spring(const Problem& p, const Spring& s, const std::string& name) {
+void check_spring(const RigidProblem& p, const RigidSpring& s, const std::string& name) {
   if (!(s.stiffness >= 0) || !std::isfinite(s.stiffness) || !s.point_B.allFinite() || !s.anchor_W.allFinite())
     reject(name, "needs a stiffness >= 0 and finite points", "check it");
   if (s.motion) check_path(s.motion, p.duration, name);
@@ -105,22 +104,22 @@ void check_spring(const Problem& p, const Spring& s, const std::string& name) {
 
 }  // namespace
 
-PathPoint at(const Path& path, double t) { return path ? path(t) : PathPoint(); }
+PathPoint at(const RigidPath& path, double t) { return path ? path(t) : PathPoint(); }
 
-void validate(const Problem& problem) {
+void validate(const RigidProblem& problem) {
   check_body(problem);
   check_start(problem);
   if (problem.supports.size() > most_supports)
-    reject(fmt::format("{} supports", problem.supports.size()), fmt::format("at most {}", most_supports),
+    reject(sentence(problem.supports.size(), " supports"), sentence("at most ", most_supports),
            "rigid contacts beyond symmetry have no unique forces");
   for (std::size_t i = 0; i < problem.supports.size(); ++i)
-    check_support(problem, problem.supports[i], fmt::format("support {}", i));
+    check_support(problem, problem.supports[i], sentence("support ", i));
   for (std::size_t i = 0; i < problem.springs.size(); ++i)
-    check_spring(problem, problem.springs[i], fmt::format("spring {}", i));
+    check_spring(problem, problem.springs[i], sentence("spring ", i));
   if (!problem.load) return;
   const Load load = problem.load(0, {problem.X_WB, problem.V_WB});
   if (!load.force_W.allFinite() || !load.torque_W.allFinite())
     reject("load at t=0", "must be finite", "check the function");
 }
 
-}  // namespace handhold::reference::rigid
+}  // namespace handhold

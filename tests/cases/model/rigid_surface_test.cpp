@@ -1,4 +1,4 @@
-#include "reference/rigid/surface.hpp"
+#include "cases/model/rigid_surface.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@ namespace {
 
 /// Gradient and Hessian against central differences (error h² = 1e-10 times third derivatives of some 1e4/m²...
 /// scaled).
-TEST(Surface, HasTheDerivativesOfItsDistance) {
+TEST(RigidSurface, HasTheDerivativesOfItsDistance) {
   const Eigen::Vector3d x(0.3, -0.2, 0.45);
-  for (const Surface& s :
+  for (const RigidSurface& s :
        {make_plane({0.1, 0, 0}, {1, 2, 2}), make_sphere({0, 0.1, 0}, 0.4), make_sphere({0, 0.1, 0}, 0.9, true),
         make_cylinder({0, 0, 0.1}, {1, 1, 0}, 0.3), make_cylinder({0, 0, 0.1}, {1, 0, 3}, 0.9, true)}) {
     const Proximity here = proximity(s, x);
@@ -27,7 +27,7 @@ TEST(Surface, HasTheDerivativesOfItsDistance) {
   }
 }
 
-TEST(Surface, MeasuresDistancesFromItsTwoSides) {
+TEST(RigidSurface, MeasuresDistancesFromItsTwoSides) {
   EXPECT_NEAR(proximity(make_sphere({0, 0, 0}, 2), {0, 0, 5}).distance, 3, 1e-15);
   EXPECT_NEAR(proximity(make_sphere({0, 0, 0}, 2, true), {0, 0, 0.5}).distance, 1.5, 1e-15);
   EXPECT_NEAR(proximity(make_cylinder({0, 0, 0}, {0, 0, 7}, 2), {3, 4, 99}).distance, 3, 1e-15);
@@ -37,7 +37,7 @@ TEST(Surface, MeasuresDistancesFromItsTwoSides) {
 
 /// A ball that tumbles along inside a moving tube: rates against differences of the kinematics along the motion.
 TEST(ContactPoint, HasTheRatesOfItsKinematics) {
-  Support support;
+  RigidSupport support;
   support.surface = make_cylinder({0, 0, 0}, {0, 1, 0.2}, 0.5, true);
   support.motion = [](double t) { return PathPoint{{t * t, 0, t}, {2 * t, 0, 1}, {2, 0, 0}}; };
   support.point_B = {0.02, -0.01, 0.03};
