@@ -7,6 +7,7 @@ include_guard()
 add_library(handhold_flags INTERFACE)
 target_compile_options(handhold_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion -Wshadow -Wnon-virtual-dtor
+  -Wno-restrict       # gcc 12 sees overlaps in std::string where there are none (its bug 105651)
   -ffp-contract=off)  # the same bits whether or not the machine has FMA
 
 option(HANDHOLD_PCH "Precompile Eigen and the standard library once a target: more than half of the time to compile" ON)

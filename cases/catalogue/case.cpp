@@ -22,40 +22,36 @@ std::string_view to_string(Pedigree pedigree) {
   return "?";
 }
 
-Limit reference_limit() { return reference_limit(1, ""); }
+Limit controlled_limit() { return controlled_limit(1, ""); }
 
-Limit reference_limit(double magnified, const std::string& why) {
-  return {.value = 1e-9 * magnified,
+Limit controlled_limit(double magnified, const std::string& why) {
+  return {.per_accuracy = 10 * magnified,
           .relative = true,
-          .reason = "ten times the integrator's accuracy of 1e-10" + (why.empty() ? why : "; " + why),
-          .resolution = 1e-10};
+          .reason = "ten times the integrator's accuracy" + (why.empty() ? why : "; " + why)};
 }
 
-Limit absolute_reference_limit(double magnified, const std::string& why) {
-  return {
-      .value = 1e-9 * magnified,
-      .reason = "ten times the integrator's accuracy of 1e-10, which is absolute" + (why.empty() ? why : "; " + why),
-      .resolution = 1e-10 * magnified};
+Limit absolute_controlled_limit(double magnified, const std::string& why) {
+  return {.per_accuracy = 10 * magnified,
+          .reason = "ten times the integrator's accuracy, which is absolute" + (why.empty() ? why : "; " + why)};
 }
 
 Limit exact_limit() { return {.value = 0, .reason = "yes or no: nothing to tolerate"}; }
 
 Limit event_limit(double substeps, const std::string& why) {
-  return {.per_substep = substeps + 0.01,
+  return {.per_step = substeps + 0.01,
           .reason = "a change of mode shows at the end of its sub-step, + 1 % for rounding at its edge" +
-                    (why.empty() ? why : "; " + why),
-          .resolution = 1e-3};
+                    (why.empty() ? why : "; " + why)};
 }
 
 Limit euler_bias_limit(double change) {
   return {
-      .per_substep = 0.51 * std::abs(change),
+      .per_step = 0.51 * std::abs(change),
       .reason = "semi-implicit Euler is off by half a sub-step times the change of speed (R03), + 2 % for the onset"};
 }
 
 Limit implicit_ring_limit(double amplitude, double frequency, double t) {
   const double damping = frequency * frequency * t / 2;
-  return {.per_substep = std::abs(amplitude) * damping * (1 + 2 * frequency / (3 * 360)),
+  return {.per_step = std::abs(amplitude) * damping * (1 + 2 * frequency / (3 * 360)),
           .reason =
               "the implicit step damps an oscillation by w^2 h/2 a second and slows it by (w h)^2/3: amplitude "
               "times w^2 t/2 (1 + 2 w h/3)"};

@@ -41,12 +41,12 @@ namespace handhold::catalogue {
 
 // Limits shared by the cases.
 
-/// The reference integrates to 1e-10 a step, of its largest state, and locates events to 1e-9 s or better: ten times
-/// that much of the truth is allowed where nothing magnifies it.
-[[nodiscard]] Limit reference_limit();
+/// A method that controls its error does so a step, for its largest state, and locates events to ten times its accuracy
+/// or better: ten times the accuracy of the truth is allowed where nothing magnifies it.
+[[nodiscard]] Limit controlled_limit();
 
 /// The same where the truth hangs on a slow crossing or a small difference: `magnified` times as much, and why.
-[[nodiscard]] Limit reference_limit(double magnified, const std::string& why);
+[[nodiscard]] Limit controlled_limit(double magnified, const std::string& why);
 
 /// Yes or no: nothing to tolerate.
 [[nodiscard]] Limit exact_limit();
@@ -60,7 +60,7 @@ namespace handhold::catalogue {
 
 /// The integrator's accuracy is absolute: ten times 1e-10 [m, rad, m/s, ...], for quantities that are small or may
 /// vanish; `magnified` times as much, and why.
-[[nodiscard]] Limit absolute_reference_limit(double magnified = 1, const std::string& why = "");
+[[nodiscard]] Limit absolute_controlled_limit(double magnified = 1, const std::string& why = "");
 
 /// An undamped oscillation of `amplitude` and `frequency`, t after it began: a fully implicit step (1 + iωh)^(−1) damps
 /// it by ω² h/2 a second and slows it by (ωh)²/3, the latter taken at the sub-step 1/360 s.

@@ -1,10 +1,8 @@
-#include "compare/engine/baseline_engines.hpp"
-
-#include <functional>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "compare/engine/engines.hpp"
 #include "compare/engine/stepped.hpp"
 #include "realtime/baselines/kinematic_grasp.hpp"
 #include "realtime/baselines/pinch_state.hpp"
@@ -20,44 +18,52 @@ Frame frame_of(const Baseline& baseline) {
   return frame;
 }
 
+/// An interaction model of the paper's study: it moves objects without forces, so its errors are graded.
+template <class Model>
 class BaselineEngine : public Engine {
  public:
-  using Make = std::function<std::unique_ptr<Baseline>(const Scene&)>;
-  BaselineEngine(std::string name, Make make) : name_(std::move(name)), make_(std::move(make)) {}
-  [[nodiscard]] std::string name() const override { return name_; }
+  explicit BaselineEngine(std::string name) : name_(std::move(name)) {}
 
-  [[nodiscard]] Recording simulate(const Scene& scene, const EngineOptions& options,
-                                   const Progress& progress) const override {
+  [[nodiscard]] EngineInfo info(const EngineOptions& options) const override {
+    return {.name = name_,
+            .version = HANDHOLD_VERSION,
+            .levels = {Level::compliant},
+            .records = {.frame_times = true},
+            .settings = {{"frame rate", fmt::format("{} Hz", options.frame_rate)}}};
+  }
+
+  [[nodiscard]] std::string why_not(const Problem& problem) const override {
+    for (const Hand& hand : std::get<Scene>(problem).hands)
+      if (!hand.given.empty()) return "it feels whole phalanges, not given sample points";
+    return {};
+  }
+
+  [[nodiscard]] Recording play(const Problem& problem, const EngineOptions& options,
+                               const Progress& progress) const override {
+    const Scene& scene = std::get<Scene>(problem);
     validate(scene);
     (void)frames_of(scene, options);  // checks them
-    const std::unique_ptr<Baseline> baseline = make_(scene);
+    Model baseline(scene);
     std::vector<HandFrame> hands(scene.hands.size());
     sample_hands(scene, 0, hands);
-    baseline->start(1 / options.frame_rate, hands);
-    Recording recording{.engine = name_, .scene = scene.name};
-    recording.provenance = {{"frame_rate", fmt::format("{} Hz", options.frame_rate)}};
-    play(scene, options, progress, *baseline, frame_of, recording);
+    baseline.start(1 / options.frame_rate, hands);
+    Recording recording{.engine = name_, .scene = scene.name, .provenance = info(options).settings};
+    stepwise(scene, options, progress, baseline, frame_of, recording);
     return recording;
   }
 
  private:
   std::string name_;
-  Make make_;
 };
-
-template <class T>
-std::unique_ptr<Engine> engine_of(const std::string& name) {
-  return std::make_unique<BaselineEngine>(name, [](const Scene& scene) { return std::make_unique<T>(scene); });
-}
 
 }  // namespace
 
-std::vector<std::string> baseline_engine_names() { return {"kinematic-grasp", "pinch-state"}; }
+std::unique_ptr<Engine> make_kinematic_grasp_engine() {
+  return std::make_unique<BaselineEngine<realtime::baselines::KinematicGrasp>>("kinematic-grasp");
+}
 
-std::unique_ptr<Engine> make_baseline_engine(const std::string& name) {
-  if (name == "kinematic-grasp") return engine_of<realtime::baselines::KinematicGrasp>(name);
-  if (name == "pinch-state") return engine_of<realtime::baselines::PinchState>(name);
-  return nullptr;
+std::unique_ptr<Engine> make_pinch_state_engine() {
+  return std::make_unique<BaselineEngine<realtime::baselines::PinchState>>("pinch-state");
 }
 
 }  // namespace handhold::compare

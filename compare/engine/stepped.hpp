@@ -50,8 +50,8 @@ inline bool is_finite(const Frame& frame) {
 /// Plays the scene from its start to its end, or until `progress` stops it or a body is lost. `Stepper` has time(),
 /// advance(dt, hands), events(); `frame_of` turns it into a Frame.
 template <class Stepper, class FrameOf>
-void play(const Scene& scene, const EngineOptions& options, const Progress& progress, Stepper& stepper,
-          const FrameOf& frame_of, Recording& recording) {
+void stepwise(const Scene& scene, const EngineOptions& options, const Progress& progress, Stepper& stepper,
+              const FrameOf& frame_of, Recording& recording) {
   for (const Body& body : scene.bodies) recording.body_names.push_back(body.name);
   std::vector<HandFrame> hands(scene.hands.size());
   recording.frames.push_back(frame_of(stepper));

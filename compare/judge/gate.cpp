@@ -15,7 +15,7 @@ bool is_vacuous(const Gate& gate) noexcept {
   constexpr double slack = 100;
   if (!passes(gate) || gate.limit == 0) return false;
   if (gate.bound == Bound::at_least) return gate.measured > slack * gate.limit;
-  return gate.limit > slack * std::max(gate.measured, gate.resolution);
+  return gate.limit > slack * std::max(gate.measured, gate.rounding);
 }
 
 std::string sentence(const Gate& gate) {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "cases/catalogue/case.hpp"
+#include "cases/catalogue/claim.hpp"
 
 namespace handhold::compare {
 
@@ -17,14 +17,14 @@ struct Gate {
   std::string unit{};  ///< of both numbers; empty when dimensionless
   catalogue::Pedigree pedigree{catalogue::Pedigree::exact};
   std::string reason{};  ///< of the limit
-  double resolution{};   ///< smallest error that means anything: an integrator's accuracy, a sub-step; same unit
+  double rounding{};     ///< error of the numbers themselves, below which nothing is measured; same unit
 };
 
 /// False when `measured` or `limit` is NaN.
 [[nodiscard]] bool passes(const Gate& gate) noexcept;
 
-/// True when a gate could be 100 times tighter and still hold: it guards nothing. Never for a limit of zero or a
-/// measured zero (an exact answer is no fault of the gate).
+/// True when a gate could be 100 times tighter than what was measured, or than rounding, and still hold: it guards
+/// little. Never for a limit of zero.
 [[nodiscard]] bool is_vacuous(const Gate& gate) noexcept;
 
 /// "slip distance error 8.3e-03 m > 5.0e-03 m"

@@ -12,19 +12,43 @@ using catalogue::Measure;
 using Kind = Measure::Kind;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// Place and velocity of body 0's centre of mass along an axis, relative to the phalanx of the scene's first patch.
+/// Place and velocity along an axis.
 struct Along {
   double x{}, v{};
 };
 
+/// What body 0 is measured against, and its centre of mass.
+struct Against {
+  const HandMotion* hand{};
+  int phalanx{palm};
+  RigidPath surface{};
+  Eigen::Vector3d center_O{Eigen::Vector3d::Zero()};
+
+  [[nodiscard]] Along at(double t, const Eigen::Vector3d& axis) const {
+    if (hand) return {axis.dot(hand->pose(phalanx, t).p), axis.dot(hand->twist(phalanx, t).v)};
+    const PathPoint s = handhold::at(surface, t);
+    return {axis.dot(s.p), axis.dot(s.v)};
+  }
+};
+
+Against against(const Scene& scene) {
+  Against out{.center_O = scene.bodies.front().inertia.center};
+  if (scene.hands.empty()) return out;
+  out.hand = scene.hands.front().motion.get();
+  if (!scene.hands.front().given.empty()) out.phalanx = scene.hands.front().given.front().phalanx;
+  return out;
+}
+
+Against against(const RigidProblem& problem) {
+  return {.surface = problem.supports.empty() ? RigidPath() : problem.supports.front().motion};
+}
+
 class Reader {
  public:
-  Reader(const Scene& scene, const Recording& recording, const Measure& what)
-      : scene_(scene), recording_(recording), axis_(what.axis) {
-    if (!scene.hands.empty()) {
-      motion_ = scene.hands.front().motion.get();
-      if (!scene.hands.front().given.empty()) phalanx_ = scene.hands.front().given.front().phalanx;
-    }
+  Reader(const Problem& problem, const Recording& recording, const Measure& what)
+      : against_(std::visit([](const auto& p) { return against(p); }, problem)),
+        recording_(recording),
+        axis_(what.axis) {
     if (!recording.frames.empty())
       start_ = absolute(recording.frames.front().t, recording.frames.front().bodies.front());
   }
@@ -43,7 +67,7 @@ class Reader {
     if (std::abs(next->t - t) < 1e-12) return at(next->t, next->bodies.front());
     const Frame& a = *(next - 1);
     const Frame& b = *next;
-    const Along hand{hand_along(t), hand_speed(t)};
+    const Along hand = against_.at(t, axis_);
     const Along A = object(a.bodies.front()), B = object(b.bodies.front());
     const double h = b.t - a.t, s = (t - a.t) / h;
     const double x = A.x * (1 + 2 * s) * (1 - s) * (1 - s) + B.x * s * s * (3 - 2 * s) +
@@ -54,22 +78,17 @@ class Reader {
 
  private:
   [[nodiscard]] Along object(const BodyState& body) const {
-    const Eigen::Vector3d& center_O = scene_.bodies.front().inertia.center;
-    const Eigen::Vector3d arm = body.X_WO.R * center_O;
+    const Eigen::Vector3d arm = body.X_WO.R * against_.center_O;
     return {axis_.dot(body.X_WO.p + arm), axis_.dot(body.V_WO.v + body.V_WO.w.cross(arm))};
   }
-  [[nodiscard]] double hand_along(double t) const { return motion_ ? axis_.dot(motion_->pose(phalanx_, t).p) : 0; }
-  [[nodiscard]] double hand_speed(double t) const { return motion_ ? axis_.dot(motion_->twist(phalanx_, t).v) : 0; }
   [[nodiscard]] Along absolute(double t, const BodyState& body) const {
-    const Along o = object(body);
-    return {o.x - hand_along(t), o.v - hand_speed(t)};
+    const Along o = object(body), base = against_.at(t, axis_);
+    return {o.x - base.x, o.v - base.v};
   }
 
-  const Scene& scene_;
+  Against against_;
   const Recording& recording_;
   Eigen::Vector3d axis_;
-  const HandMotion* motion_{};
-  int phalanx_{palm};
   Along start_{};
 };
 
@@ -154,9 +173,9 @@ double count(const Recording& recording, EventKind kind) {
 
 }  // namespace
 
-double measure(const Scene& scene, const Recording& recording, const Measure& what) {
+double measure(const Problem& problem, const Recording& recording, const Measure& what) {
   if (recording.frames.empty() || recording.outcome != Outcome::complete) return nan;
-  const Reader reader(scene, recording, what);
+  const Reader reader(problem, recording, what);
   const Event* event = find_event(recording, what);
   const auto along = [&] {
     if (what.at) return reader.at(*what.at);

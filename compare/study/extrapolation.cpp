@@ -53,7 +53,7 @@ Extrapolation extrapolate_to_rigid(const Engine& engine, const std::function<Sce
   std::vector<double> values;
   for (const double k : stiffness) {
     const Scene stiff = scene(k);
-    values.push_back(measure(stiff, engine.simulate(stiff, options, progress), what));
+    values.push_back(measure(stiff, engine.play(stiff, options, progress), what));
   }
   return extrapolate(stiffness, values);
 }

@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "cases/catalogue/case.hpp"
+#include "cases/catalogue/claim.hpp"
 #include "compare/engine/engine.hpp"
 
 namespace handhold::compare {

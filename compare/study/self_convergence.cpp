@@ -152,7 +152,7 @@ SelfConvergence self_convergence(const Engine& engine, const Scene& scene, const
     if (!watch(0)) break;
     const double begin = thread_seconds();
     ConvergenceRun run{.setting = setting};
-    run.recording = engine.simulate(scene, setting.options, watch);
+    run.recording = engine.play(scene, setting.options, watch);
     run.cost = (thread_seconds() - begin) / scene.duration;
     run.steps = steps_of(run.recording, setting, scene);
     study.runs.push_back(std::move(run));

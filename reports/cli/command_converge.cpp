@@ -41,9 +41,11 @@ struct ConvergeCommand {
 struct Subject {
   std::string name{}, what{};
   std::function<Scene()> scene{};
-  std::vector<catalogue::Expectation> expectations{};
+  std::vector<catalogue::Claim> claims{};
   bool costly{};
 };
+
+constexpr double certified = 1e-10;  // the accuracy whose limits the runs are measured in
 
 bool is_file(const std::string& name) { return fs::path(name).has_extension() || fs::exists(name); }
 
@@ -55,7 +57,7 @@ Subject subject_of(const std::string& name) {
     return {loaded.name, name, [scene = loaded.scene] { return scene; }, {}, false};
   }
   const catalogue::CertificationScene& c = catalogue::certification_scene(name);
-  return {c.name, c.what, c.scene, c.expectations, c.costly};
+  return {c.name, c.what, c.scene, c.claims, c.costly};
 }
 
 std::vector<Subject> subjects(const std::vector<std::string>& names) {
@@ -75,13 +77,14 @@ std::vector<compare::Setting> settings_for(const std::string& engine, bool costl
 
 /// How far each run is from the closed forms, in units of their limits.
 void judge_by_closed_form(const Subject& subject, const Scene& scene, NamedConvergence& named) {
-  if (subject.expectations.empty()) return;
+  if (subject.claims.empty()) return;
   for (const compare::ConvergenceRun& run : named.study.runs) {
     double worst = 0;
     named.closed_form_lines.clear();
-    for (const catalogue::Expectation& e : subject.expectations) {
+    for (const catalogue::Claim& e : subject.claims) {
       const double error = std::abs(compare::measure(scene, run.recording, e.measure) - e.truth);
-      if (!(error / e.reference.value <= worst)) worst = error / e.reference.value;
+      const double limit = compare::limit_value(e.controlled, {compare::ErrorModel::Kind::controlled, certified, 0});
+      if (!(error / limit <= worst)) worst = error / limit;
       named.closed_form_lines.push_back(fmt::format("{} {:.12g} {}, off by {:.1e} at {} ({})", e.quantity, e.truth,
                                                     e.unit, error, run.setting.name, e.source));
     }

@@ -19,11 +19,11 @@ struct ListOptions {
 
 void print_cases() {
   for (const catalogue::Case& c : catalogue::all_cases()) {
-    fmt::print("{}  {}  ({})\n", c.id, c.title, c.level);
+    fmt::print("{}  {}  ({})\n", c.id, c.title, to_string(c.level));
     for (const catalogue::Run& run : c.runs) {
       std::string quantities;
-      for (const catalogue::Expectation& e : run.expectations)
-        quantities += (quantities.empty() ? "" : ", ") + e.quantity;
+      if (!run.variant.empty()) continue;
+      for (const catalogue::Claim& claim : run.claims) quantities += (quantities.empty() ? "" : ", ") + claim.quantity;
       fmt::print("     {}: {}\n", run.name, quantities);
     }
   }

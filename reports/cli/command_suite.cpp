@@ -8,12 +8,12 @@
 
 #include "compare/engine/engines.hpp"
 #include "compare/judge/suite.hpp"
+#include "compare/judge/verdict.hpp"
 #include "reports/cli/commands.hpp"
 #include "reports/cli/interrupt.hpp"
 #include "reports/cli/option_checks.hpp"
 #include "reports/cli/progress.hpp"
 #include "reports/cli/provenance.hpp"
-#include "reports/data/placed_gate.hpp"
 #include "reports/data/table.hpp"
 #include "reports/data/write_report.hpp"
 
@@ -22,17 +22,34 @@ namespace {
 
 struct SuiteCommand {
   compare::SuiteOptions suite{};
+  std::vector<std::string> engines{}, levels{};
   bool no_order{};
   std::string out{"handhold-report"};
 };
 
-compare::SuiteResult run(compare::SuiteOptions options) {
-  options.stop = interrupted;
-  const std::unique_ptr<compare::Engine> reference = compare::make_engine("reference");
-  const std::unique_ptr<compare::Engine> realtime = compare::make_engine("realtime");
+/// Those named, or all that have derived limits: what a suite gates.
+std::vector<std::unique_ptr<compare::Engine>> engines_of(const SuiteCommand& command) {
+  std::vector<std::unique_ptr<compare::Engine>> out;
+  const bool all = command.engines.size() == 1 && command.engines.front() == "all";
+  for (const std::string& name : command.engines.empty() || all ? compare::engine_names() : command.engines) {
+    std::unique_ptr<compare::Engine> engine = compare::make_engine(name);
+    const bool gated = engine->info(command.suite.engine).errs.kind != compare::ErrorModel::Kind::foreign;
+    if (gated || !command.engines.empty()) out.push_back(std::move(engine));
+  }
+  return out;
+}
+
+Level level_of(const std::string& name) {
+  return name == "L1" ? Level::rigid : name == "L2" ? Level::compliant : Level::printed;
+}
+
+compare::SuiteResult run(const SuiteCommand& command) {
+  const std::vector<std::unique_ptr<compare::Engine>> owned = engines_of(command);
+  std::vector<const compare::Engine*> engines;
+  for (const auto& engine : owned) engines.push_back(engine.get());
   ProgressLine progress;
-  return compare::run_suite(*reference, *realtime, options, [&](const std::string& what) {
-    if (!interrupted()) progress.step(what);
+  return compare::run_suite(engines, command.suite, [&](const std::string& what, std::size_t done, std::size_t all) {
+    if (!interrupted()) progress.step(fmt::format("[{}/{}] {}", done, all, what));
     return !interrupted();
   });
 }
@@ -40,40 +57,55 @@ compare::SuiteResult run(compare::SuiteOptions options) {
 void execute(SuiteCommand command, Invocation& invocation) {
   check_report_folder(command.out);  // now, not after minutes of work
   if (command.no_order) command.suite.study_refinements.clear();
-  compare::SuiteResult result = run(command.suite);
-  result.provenance.merge(provenance(command.suite));
-  result.provenance["command"] = invocation.command_line;
-  fmt::print("{}", text_table(result, {may_colour(1)}));
+  for (const std::string& name : command.levels) command.suite.levels.push_back(level_of(name));
+  command.suite.stop = interrupted;
+  compare::SuiteResult result = run(command);
+  result.provenance = provenance(command.suite);
+  result.occasion = occasion(invocation.command_line);
   invocation.exit_code = compare::passed(result) ? exit_good : exit_gate_failed;
-  if (placed_gates(result).empty()) return;  // interrupted at once: an earlier report is worth more
-  write_report(result, command.out);
+  const bool judged = compare::count(result).gates + compare::count(result).graded > 0;
+  if (judged) write_report(result, command.out);  // before its table is printed: a closed pipe loses nothing
+  fmt::print("{}", text_table(result, {may_colour(1)}));
+  if (!judged) return;  // interrupted at once: an earlier report is worth more
   fmt::print("{}: {}\n", result.interrupted ? "partial report" : "report",
-             (std::filesystem::path(command.out) / "index.html").lexically_normal().string());
+             std::filesystem::path(command.out).lexically_normal().string());
 }
 
 }  // namespace
 
 void add_suite(CLI::App& app, Invocation& invocation) {
   CLI::App* command =
-      app.add_subcommand("suite", "Run the analytic cases through both engines, judge them, and write a report");
+      app.add_subcommand("suite", "Play the analytic cases with every engine, judge them, and write a report");
   const auto options = std::make_shared<SuiteCommand>();
   compare::EngineOptions& engine = options->suite.engine;
   command->add_option("--only", options->suite.ids, "cases to run, e.g. C01,D02 (default: all)")->delimiter(',');
+  command->add_option("--level", options->levels, "levels to run, e.g. L1,L2 (default: all)")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"L1", "L2", "L3"}));
+  command
+      ->add_option("--engines", options->engines, "engines to judge, or all (default: those whose limits are derived)")
+      ->delimiter(',');
   command->add_option("--out", options->out, "folder of the report; replaced as a whole")->capture_default_str();
+  command->add_option("--threads", options->suite.threads, "runs side by side; 0: one a core")
+      ->check(number_in(0, 1024))
+      ->capture_default_str();
   command->add_option("--frame-rate", engine.frame_rate, "frames a second [Hz]")
       ->check(number_in(1, 1e4))
       ->capture_default_str();
-  command->add_option("--substeps", engine.substeps, "sub-steps a frame of the real-time path")
+  command->add_option("--substeps", engine.substeps, "steps a frame of engines with a fixed step")
       ->check(number_in(1, 1000))
       ->capture_default_str();
-  command->add_option("--accuracy", engine.accuracy, "of the reference's integrator")
+  command->add_option("--accuracy", engine.accuracy, "of engines that control their error")
       ->check(number_in(1e-13, 1e-3))
       ->capture_default_str();
   command->add_flag("--no-order", options->no_order, "skip the studies of the order of accuracy")
       ->disable_flag_override();
+  command->add_flag("--fail-fast", options->suite.fail_fast, "stop at the first gate that fails")
+      ->disable_flag_override();
   command->footer(
-      "Examples:\n  handhold suite\n  handhold suite --only C01,D02 --out report\n  handhold suite --substeps 16 "
-      "--no-order\n"
+      "Examples:\n  handhold suite\n  handhold suite --only C01,D02 --out report\n  handhold suite --level L1 "
+      "--engines "
+      "rigid\n  handhold suite --substeps 16 --no-order\n"
       "Ctrl-C ends it; the runs judged until then are written, and the report says that it is partial.");
   command->callback([options, &invocation] { execute(*options, invocation); });
 }

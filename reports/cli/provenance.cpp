@@ -48,13 +48,14 @@ std::map<std::string, std::string> provenance(const compare::SuiteOptions& optio
           {"compiler", "g++ " __VERSION__},
           {"build", HANDHOLD_BUILD},
           {"Eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
-          {"processor", one_line(processor())},
+          {"refinements of order studies", substeps_text(options.study_refinements)}};
+}
+
+std::map<std::string, std::string> occasion(const std::string& command_line) {
+  return {{"processor", one_line(processor())},
           {"system", one_line(system_name())},
           {"finished", now_utc()},
-          {"frame rate", number(options.engine.frame_rate) + " Hz"},
-          {"sub-steps a frame", std::to_string(options.engine.substeps)},
-          {"reference accuracy", number(options.engine.accuracy)},
-          {"refinements of order studies", substeps_text(options.study_refinements)}};
+          {"command", command_line}};
 }
 
 }  // namespace handhold::reports

@@ -7,7 +7,10 @@
 
 namespace handhold::reports {
 
-/// What a reader needs to repeat a run: version, compiler and its flags, machine, options, and when.
+/// What the numbers hang on: version, compiler, options. Engines say their own settings.
 [[nodiscard]] std::map<std::string, std::string> provenance(const compare::SuiteOptions& options);
+
+/// What they do not hang on: the machine, when, and the command.
+[[nodiscard]] std::map<std::string, std::string> occasion(const std::string& command_line);
 
 }  // namespace handhold::reports

@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
-#include "cases/hand/trace_spline.hpp"
 #include "cases/catalogue/case.hpp"
 #include "cases/hand/moved_trace.hpp"
 #include "cases/hand/placement.hpp"
+#include "cases/hand/trace_spline.hpp"
 #include "cases/input/mesh/field_cache.hpp"
 #include "cases/input/scene/materials.hpp"
 #include "cases/input/scene/scene_file.hpp"
@@ -69,9 +69,15 @@ std::vector<NamedScene> from_case(const std::string& name) {
   std::string runs;
   for (const catalogue::Run& run : found->runs) {
     runs += (runs.empty() ? "'" : ", '") + run.name + "'";
-    if (run_name.empty() || run.name == run_name)
-      out.push_back({id + "/" + run.name, run.scene(), summary_line("case", found->title)});
+    if (!run.variant.empty() || (!run_name.empty() && run.name != run_name)) continue;
+    const Problem problem = run.problem();
+    if (const auto* scene = std::get_if<Scene>(&problem))
+      out.push_back({id + "/" + run.name, *scene, summary_line("case", found->title)});
   }
+  if (out.empty() && found->level != Level::compliant)
+    throw InputError(fmt::format(
+        "case '{}': is of level {}, and run plays scenes of level L2 (judge it with: handhold suite --only {})", id,
+        to_string(found->level), id));
   if (out.empty()) throw InputError(fmt::format("case '{}': has no run '{}' (there are {})", id, run_name, runs));
   return out;
 }

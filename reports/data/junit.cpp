@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "reports/data/placed_gate.hpp"
+#include "compare/judge/verdict.hpp"
 #include "reports/data/text.hpp"
 
 namespace handhold::reports {
@@ -13,52 +13,58 @@ namespace {
 
 double finite(double seconds) { return std::isfinite(seconds) ? seconds : 0; }
 
-double seconds_of(const PlacedGate& placed) {
-  const double gates = static_cast<double>(placed.run->findings.size());
-  switch (placed.judged) {
-    case Judged::reference:
-      return finite(placed.run->reference_seconds) / gates;
-    case Judged::realtime:
-      return finite(placed.run->realtime_seconds) / gates;
-    case Judged::order:
-      return 0;
+struct Tally {
+  std::string lines{};
+  std::size_t tests{}, failed{}, skipped{};
+};
+
+std::string name_of(const compare::CaseResult& of_case, const compare::RunResult& run) {
+  return escape("handhold." + of_case.id + "." + run.name + (run.variant.empty() ? "" : ", ") + run.variant);
+}
+
+void add(Tally& tally, const std::string& where, const std::string& name, const std::string& inside) {
+  tally.lines += fmt::format("    <testcase classname=\"{}\" name=\"{}\"", where, escape(name));
+  tally.lines += inside.empty() ? "/>\n" : ">\n" + inside + "    </testcase>\n";
+  ++tally.tests;
+}
+
+void add_gate(Tally& tally, const std::string& where, const compare::Gate& gate, const catalogue::Claim& claim) {
+  std::string inside;
+  if (!compare::passes(gate)) {
+    ++tally.failed;
+    const std::string text =
+        fmt::format("{}\nlimit because: {}\ntruth ({}): {} {}, {}\n", compare::sentence(gate), gate.reason,
+                    catalogue::to_string(gate.pedigree), number(claim.truth, 17), claim.unit, claim.source);
+    inside = fmt::format("      <failure type=\"gate\" message=\"{}\">{}</failure>\n", escape(compare::sentence(gate)),
+                         escape(text));
   }
-  return 0;
+  add(tally, where, gate.quantity, inside);
 }
 
-std::string failure(const PlacedGate& placed) {
-  const catalogue::Expectation& e = placed.finding->expectation;
-  const std::string text = fmt::format(
-      "{}\nlimit because: {}\ntruth ({}): {} {}, {}\n", compare::sentence(*placed.gate), placed.gate->reason,
-      catalogue::to_string(placed.gate->pedigree), number(e.truth, 17), e.unit, e.source);
-  return fmt::format("      <failure type=\"gate\" message=\"{}\">{}</failure>\n",
-                     escape(compare::sentence(*placed.gate)), escape(text));
+/// Judgements without a gate count as skipped: what nobody asked, and grades, which fail nothing.
+void add_judgement(Tally& tally, const std::string& where, const compare::Judgement& j, const catalogue::Claim& claim) {
+  if (j.gate) return add_gate(tally, where, *j.gate, claim);
+  ++tally.skipped;
+  const std::string why = j.grade ? fmt::format("graded: {}", compare::to_string(*j.grade)) : "not asked: " + j.why_not;
+  add(tally, where, fmt::format("{}, {}", claim.quantity, j.engine),
+      fmt::format("      <skipped message=\"{}\"/>\n", escape(why)));
 }
 
-std::string testcase(const PlacedGate& placed) {
-  const std::string open = fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"{:.6f}\"",
-                                       escape("handhold." + placed.of_case->id + "." + placed.run->name),
-                                       escape(placed.gate->quantity), seconds_of(placed));
-  if (verdict(*placed.gate) != Verdict::fail) return open + "/>\n";
-  return open + ">\n" + failure(placed) + "    </testcase>\n";
-}
-
-std::string testsuite(const compare::CaseResult& of_case) {
-  std::string cases;
-  std::size_t tests = 0, failed = 0;
-  double seconds = 0;
+std::string testsuite(const compare::CaseResult& of_case, Tally& all) {
+  Tally tally;
   for (const compare::RunResult& run : of_case.runs) {
-    for (const PlacedGate& placed : placed_gates(of_case, run)) {
-      cases += testcase(placed);
-      failed += verdict(*placed.gate) == Verdict::fail;
-      seconds += seconds_of(placed);
-      ++tests;
+    const std::string where = name_of(of_case, run);
+    for (const compare::ClaimResult& claim : run.claims) {
+      for (const compare::Judgement& j : claim.judgements) add_judgement(tally, where, j, claim.claim);
+      for (const compare::OrderStudy& study : claim.studies) add_gate(tally, where, study.gate, claim.claim);
     }
   }
+  all.tests += tally.tests;
+  all.failed += tally.failed;
+  all.skipped += tally.skipped;
   return fmt::format(
-      "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"0\" time=\"{:.6f}\">\n{}  "
-      "</testsuite>\n",
-      escape(of_case.id + " " + of_case.title), tests, failed, seconds, cases);
+      "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\">\n{}  </testsuite>\n",
+      escape(of_case.id + " " + of_case.title), tally.tests, tally.failed, tally.skipped, tally.lines);
 }
 
 /// What makes the whole run no pass although its gates may hold.
@@ -68,21 +74,22 @@ std::string run_error(const compare::SuiteResult& result) {
       "    <testcase classname=\"handhold\" name=\"complete\" time=\"0\"><error type=\"incomplete\" "
       "message=\"{}\"/></testcase>\n"
       "  </testsuite>\n",
-      escape(verdict_sentence(result)));
+      escape(compare::verdict_sentence(result)));
 }
 
 }  // namespace
 
 std::string junit_xml(const compare::SuiteResult& result) {
-  const Count n = count(placed_gates(result));
-  const bool incomplete = result.interrupted || n.gates == 0;
+  const bool incomplete = result.interrupted || compare::count(result).gates == 0;
   std::string suites;
-  for (const compare::CaseResult& of_case : result.cases) suites += testsuite(of_case);
+  Tally all;
+  for (const compare::CaseResult& of_case : result.cases) suites += testsuite(of_case, all);
   if (incomplete) suites += run_error(result);
   return fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<testsuites name=\"handhold\" tests=\"{}\" failures=\"{}\" errors=\"{}\" time=\"{:.6f}\">\n{}</testsuites>\n",
-      n.gates + incomplete, n.failed, incomplete ? 1 : 0, finite(result.seconds), suites);
+      "<testsuites name=\"handhold\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\" "
+      "time=\"{:.6f}\">\n{}</testsuites>\n",
+      all.tests + incomplete, all.failed, incomplete ? 1 : 0, all.skipped, finite(result.seconds), suites);
 }
 
 }  // namespace handhold::reports

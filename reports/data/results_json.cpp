@@ -1,11 +1,12 @@
 #include "reports/data/results_json.hpp"
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
-#include "reports/data/placed_gate.hpp"
+#include "compare/judge/verdict.hpp"
 #include "reports/data/text.hpp"
 
 namespace handhold::reports {
@@ -34,52 +35,61 @@ void put(Json& object, const std::string& key, const std::vector<double>& values
   if (!text.empty()) object[key + "_text"] = std::move(text);
 }
 
-Json gate_json(const compare::Gate& gate) {
-  Json out;
-  out["quantity"] = gate.quantity;
-  put(out, "measured", gate.measured);
-  out["bound"] = gate.bound == compare::Bound::at_most ? "at most" : "at least";
+/// What the gate asks, beside the numbers that the judgement or study already says.
+void put_gate(Json& out, const compare::Gate& gate) {
   put(out, "limit", gate.limit);
-  out["unit"] = gate.unit;
-  out["pedigree"] = catalogue::to_string(gate.pedigree);
   out["reason"] = gate.reason;
   out["passes"] = compare::passes(gate);
-  put(out, "slack", slack(gate));
+  put(out, "slack", compare::slack(gate));
   out["vacuous"] = compare::is_vacuous(gate);
   out["sentence"] = compare::sentence(gate);
-  return out;
 }
 
-Json judgement_json(const compare::Judgement& judgement, const catalogue::Limit& limit) {
+Json judgement_json(const compare::Judgement& judgement) {
   Json out;
+  out["engine"] = judgement.engine;
+  out["state"] = judgement.why_not.empty() ? "judged" : "not asked";
+  if (!judgement.why_not.empty()) {
+    out["why"] = judgement.why_not;
+    return out;
+  }
   put(out, "value", judgement.value);
   put(out, "error", judgement.error);
-  out["relative"] = limit.relative;
-  out["gate"] = gate_json(judgement.gate);
+  out["relative"] = judgement.relative;
+  if (judgement.gate) put_gate(out, *judgement.gate);
+  if (judgement.grade) out["grade"] = compare::to_string(*judgement.grade);
   return out;
 }
 
 Json study_json(const compare::OrderStudy& study) {
   Json out;
-  put(out, "substep", study.substep);
+  out["engine"] = study.engine;
+  put(out, "step", study.step);
   put(out, "error", study.error);
   put(out, "slope", study.order.slope);
   put(out, "standard_error", study.order.standard_error);
-  out["gate"] = gate_json(study.gate);
+  put_gate(out, study.gate);
   return out;
 }
 
-Json finding_json(const compare::Finding& finding) {
-  const catalogue::Expectation& e = finding.expectation;
+template <class Item, class Make>
+Json list(const std::vector<Item>& items, const Make& make) {
+  Json out = Json::array();
+  for (const Item& item : items) out.push_back(make(item));
+  return out;
+}
+
+Json claim_json(const compare::ClaimResult& result) {
+  const catalogue::Claim& claim = result.claim;
   Json out;
-  out["quantity"] = e.quantity;
-  out["unit"] = e.unit;
-  put(out, "truth", e.truth);
-  out["pedigree"] = catalogue::to_string(e.pedigree);
-  out["source"] = e.source;
-  out["reference"] = judgement_json(finding.reference, e.reference);
-  if (finding.realtime.asked) out["realtime"] = judgement_json(finding.realtime, e.realtime);
-  out["order_study"] = finding.study ? study_json(*finding.study) : Json(nullptr);
+  out["quantity"] = claim.quantity;
+  out["unit"] = claim.unit;
+  put(out, "truth", claim.truth);
+  out["pedigree"] = catalogue::to_string(claim.pedigree);
+  out["source"] = claim.source;
+  out["at"] = claim.measure.at ? Json(*claim.measure.at) : Json(nullptr);
+  out["judgements"] = list(result.judgements, judgement_json);
+  out["studies"] = list(result.studies, study_json);
   return out;
 }
 
@@ -89,12 +99,85 @@ Json curve_json(const compare::CurveData& curve) {
   out["label"] = curve.label;
   put(out, "t", curve.t);
   put(out, "truth", curve.truth);
-  put(out, "reference", curve.reference);
-  put(out, "realtime", curve.realtime);
+  out["engines"] = Json::object();
+  for (const auto& [engine, values] : curve.engines) put(out["engines"], engine, values);
+  return out;
+}
+
+Json play_json(const compare::Play& play) {
+  Json out;
+  out["engine"] = play.engine;
+  if (!play.why_not.empty()) out["why"] = play.why_not;
+  out["note"] = play.note;
+  return out;
+}
+
+Json run_json(const compare::RunResult& run) {
+  Json out;
+  out["name"] = run.name;
+  out["variant"] = run.variant;
+  out["claims"] = list(run.claims, claim_json);
+  out["curve"] = curve_json(run.curve);
+  out["plays"] = list(run.plays, play_json);
+  return out;
+}
+
+Json case_json(const compare::CaseResult& of_case) {
+  Json out;
+  out["id"] = of_case.id;
+  out["title"] = of_case.title;
+  out["level"] = to_string(of_case.level);
+  out["truth_level"] = of_case.truth_level;
+  out["statement"] = of_case.statement;
+  out["formula"] = of_case.formula;
+  out["note"] = of_case.note;
+  out["runs"] = list(of_case.runs, run_json);
+  return out;
+}
+
+std::string_view to_string(compare::ErrorModel::Kind kind) {
+  using Kind = compare::ErrorModel::Kind;
+  return kind == Kind::controlled ? "controlled" : kind == Kind::stepped ? "stepped" : "foreign";
+}
+
+Json text_json(const std::map<std::string, std::string>& texts) {
+  Json out = Json::object();
+  for (const auto& [key, text] : texts) out[clean_utf8(key)] = text;
+  return out;
+}
+
+Json engine_json(const compare::EngineInfo& engine) {
+  Json out;
+  out["name"] = engine.name;
+  out["version"] = engine.version;
+  out["levels"] = list(engine.levels, [](Level level) { return to_string(level); });
+  out["error_model"] = to_string(engine.errs.kind);
+  out["gated"] = engine.errs.kind != compare::ErrorModel::Kind::foreign;
+  out["records"] = Json::array({"poses"});
+  const compare::Records& r = engine.records;
+  for (const auto& [has, name] : {std::pair{r.contacts, "contacts"}, std::pair{r.events, "events"},
+                                  std::pair{r.energy, "energy"}, std::pair{r.frame_times, "frame times"}})
+    if (has) out["records"].push_back(name);
+  out["settings"] = text_json(engine.settings);
+  return out;
+}
+
+Json verdict_json(const compare::SuiteResult& result) {
+  const compare::Count n = compare::count(result);
+  Json out;
+  out["passed"] = compare::passed(result);
+  out["sentence"] = compare::verdict_sentence(result);
+  out["interrupted"] = result.interrupted;
+  out["gates"] = n.gates;
+  out["failed"] = n.failed;
+  out["vacuous"] = n.vacuous;
+  out["not_asked"] = n.not_asked;
+  out["graded"] = n.graded;
   return out;
 }
 
 Json frame_json(const compare::FrameTimes& frame) {
+  if (frame.frames == 0) return nullptr;
   Json out;
   out["frames"] = frame.frames;
   put(out, "p50", frame.p50);
@@ -105,58 +188,42 @@ Json frame_json(const compare::FrameTimes& frame) {
   return out;
 }
 
-Json run_json(const compare::RunResult& run) {
-  Json out;
-  out["name"] = run.name;
-  out["findings"] = Json::array();
-  for (const compare::Finding& finding : run.findings) out["findings"].push_back(finding_json(finding));
-  out["curve"] = curve_json(run.curve);
-  out["realtime_frame_seconds"] = frame_json(run.realtime_frame);
-  put(out, "reference_seconds", run.reference_seconds);
-  put(out, "realtime_seconds", run.realtime_seconds);
-  out["reference_note"] = run.reference_note;
-  out["realtime_note"] = run.realtime_note;
-  return out;
-}
-
-Json case_json(const compare::CaseResult& of_case) {
-  Json out;
-  out["id"] = of_case.id;
-  out["title"] = of_case.title;
-  out["level"] = of_case.level;
-  out["statement"] = of_case.statement;
-  out["formula"] = of_case.formula;
-  out["note"] = of_case.note;
-  out["runs"] = Json::array();
-  for (const compare::RunResult& run : of_case.runs) out["runs"].push_back(run_json(run));
-  return out;
-}
-
-Json verdict_json(const compare::SuiteResult& result) {
-  const Count n = count(placed_gates(result));
-  Json out;
-  out["passed"] = compare::passed(result);
-  out["sentence"] = verdict_sentence(result);
-  out["interrupted"] = result.interrupted;
-  out["gates"] = n.gates;
-  out["failed"] = n.failed;
-  out["vacuous"] = n.vacuous;
-  return out;
-}
+std::string dump(const Json& json) { return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
 }  // namespace
 
 std::string results_json(const compare::SuiteResult& result) {
   Json out;
   out["format"] = "handhold results";
-  out["version"] = 1;
+  out["version"] = 2;
   out["verdict"] = verdict_json(result);
-  out["provenance"] = Json::object();
-  for (const auto& [key, text] : result.provenance) out["provenance"][clean_utf8(key)] = text;
+  out["provenance"] = text_json(result.provenance);
+  out["engines"] = list(result.engines, engine_json);
+  out["cases"] = list(result.cases, case_json);
+  return dump(out);
+}
+
+std::string times_json(const compare::SuiteResult& result) {
+  Json out;
+  out["format"] = "handhold times";
+  out["version"] = 1;
+  out["occasion"] = text_json(result.occasion);
   put(out, "seconds", result.seconds);
-  out["cases"] = Json::array();
-  for (const compare::CaseResult& of_case : result.cases) out["cases"].push_back(case_json(of_case));
-  return out.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  out["plays"] = Json::array();
+  for (const compare::CaseResult& of_case : result.cases)
+    for (const compare::RunResult& run : of_case.runs)
+      for (const compare::Play& play : run.plays) {
+        if (!play.why_not.empty()) continue;
+        Json row;
+        row["case"] = of_case.id;
+        row["run"] = run.name;
+        row["variant"] = run.variant;
+        row["engine"] = play.engine;
+        put(row, "seconds", play.seconds);
+        row["frame_seconds"] = frame_json(play.frame);
+        out["plays"].push_back(std::move(row));
+      }
+  return dump(out);
 }
 
 }  // namespace handhold::reports

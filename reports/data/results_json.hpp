@@ -2,14 +2,17 @@
 
 #include <string>
 
-#include "compare/judge/suite.hpp"
+#include "compare/judge/result.hpp"
 
 namespace handhold::reports {
 
-/// The whole result as JSON, described by reports/data/results.schema.json. Keys stand in a fixed order, doubles
-/// round-trip, and the same result gives the same bytes. JSON has no NaN and no infinity: such a number is null, and a
-/// text beside it says which
-/// ("value": null, "value_text": "nan"); in a list, "<list>_text" maps the place to the text.
+/// All that was judged as JSON, described by reports/data/results.schema.json. Keys stand in a fixed order, doubles
+/// round-trip, and the same result gives the same bytes, whenever and with however many threads it was measured. JSON
+/// has no NaN and no infinity: such a number is null, and a text beside it says which ("value": null, "value_text":
+/// "nan"); in a list, "<list>_text" maps the place to the text.
 [[nodiscard]] std::string results_json(const compare::SuiteResult& result);
+
+/// What differs from one run to the next: when and where it ran, wall times, CPU times a frame.
+[[nodiscard]] std::string times_json(const compare::SuiteResult& result);
 
 }  // namespace handhold::reports

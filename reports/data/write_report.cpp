@@ -17,14 +17,14 @@
 #include "reports/data/junit.hpp"
 #include "reports/data/results_json.hpp"
 #include "reports/data/table.hpp"
-#include "reports/page.hpp"
 
 namespace handhold::reports {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 4> report_files{"index.html", "results.json", "junit.xml", "table.txt"};
+constexpr std::array<std::string_view, 5> report_files{"index.html", "results.json", "times.json", "junit.xml",
+                                                       "table.txt"};
 
 [[noreturn]] void fail(const fs::path& what, int error) {
   throw InputError(
@@ -157,8 +157,8 @@ void write_report(const compare::SuiteResult& result, const fs::path& folder) {
   const fs::path target = plain(folder);
   require_replaceable(target);
   const Staging staging(target);
-  write_new(staging.path() / "index.html", page(result));
   write_new(staging.path() / "results.json", results_json(result));
+  write_new(staging.path() / "times.json", times_json(result));
   write_new(staging.path() / "junit.xml", junit_xml(result));
   write_new(staging.path() / "table.txt", text_table(result));
   exchange(staging.path(), target);

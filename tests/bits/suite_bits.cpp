@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <string>
 
@@ -32,10 +33,14 @@ std::uint64_t digest_of(const Recording& recording) {
 void print_all() {
   for (const catalogue::Case& of_case : catalogue::all_cases()) {
     for (const catalogue::Run& run : of_case.runs) {
-      const Scene scene = run.scene();
-      for (const std::string name : {"reference", "realtime"}) {
-        if (name == "realtime" && !run.not_realtime.empty()) continue;
-        const Recording recording = make_engine(name)->simulate(scene, {});
+      const Problem problem = run.problem();
+      for (const std::string& name : engine_names()) {
+        const auto engine = make_engine(name);
+        const EngineInfo info = engine->info({});
+        if (std::ranges::find(info.levels, of_case.level) == info.levels.end() || !engine->why_not(problem).empty() ||
+            (info.errs.kind == ErrorModel::Kind::stepped && !run.not_stepped.empty()))
+          continue;
+        const Recording recording = engine->play(problem, {});
         std::printf("%s/%s %s: %016llx\n", of_case.id.c_str(), run.name.c_str(), name.c_str(),
                     (unsigned long long)(digest_of(recording)));
       }

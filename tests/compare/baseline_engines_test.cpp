@@ -1,9 +1,8 @@
-#include "compare/engine/baseline_engines.hpp"
-
 #include <gtest/gtest.h>
 
 #include "cases/catalogue/builders/scenes.hpp"
 #include "cases/model/input_error.hpp"
+#include "compare/engine/engines.hpp"
 
 namespace handhold::compare {
 namespace {
@@ -28,11 +27,11 @@ Scene carried() {
 }
 
 TEST(BaselineEngines, RecordAGraspThatFollowsTheHand) {
-  for (const std::string& name : baseline_engine_names()) {
-    const auto engine = make_baseline_engine(name);
+  for (const char* name : {"kinematic-grasp", "pinch-state"}) {
+    const auto engine = make_engine(name);
     ASSERT_TRUE(engine);
-    EXPECT_EQ(engine->name(), name);
-    const Recording r = engine->simulate(carried(), {.frame_rate = 90});
+    EXPECT_EQ(engine->info({}).name, name);
+    const Recording r = engine->play(carried(), {.frame_rate = 90});
     EXPECT_EQ(r.outcome, Outcome::complete);
     ASSERT_EQ(r.frames.size(), 46u);
     EXPECT_EQ(r.frames.back().contacts.size(), 2u);
@@ -44,9 +43,15 @@ TEST(BaselineEngines, RecordAGraspThatFollowsTheHand) {
   }
 }
 
-TEST(BaselineEngines, KnowNoOtherNames) {
-  EXPECT_EQ(make_baseline_engine("realtime"), nullptr);
-  EXPECT_THROW((void)make_baseline_engine("pinch-state")->simulate(carried(), {.frame_rate = 0}), InputError);
+TEST(BaselineEngines, RefuseAFrameRateThatIsNone) {
+  EXPECT_THROW((void)make_engine("pinch-state")->play(carried(), {.frame_rate = 0}), InputError);
+}
+
+TEST(BaselineEngines, AreNotAskedAboutGivenSamplePoints) {
+  Scene given = carried();
+  given.hands[0].given = {{2, {{0, 0, 0}}, {}}};
+  EXPECT_EQ(make_engine("pinch-state")->why_not(carried()), "");
+  EXPECT_NE(make_engine("pinch-state")->why_not(given), "");
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "compare/engine/engines.hpp"
 #include "compare/judge/gate.hpp"
 #include "compare/judge/suite.hpp"
+#include "compare/judge/verdict.hpp"
 #include "compare/measure/grasp.hpp"
 #include "compare/measure/measure.hpp"
 #include "compare/measure/timing.hpp"
@@ -47,8 +48,8 @@ TEST(Gate, IsVacuousWhenItCouldBeAHundredTimesTighter) {
   EXPECT_TRUE(is_vacuous({.quantity = "x", .measured = 1e-5, .limit = 2e-3}));
   EXPECT_FALSE(is_vacuous({.quantity = "x", .measured = 1e-4, .limit = 2e-3}));
   EXPECT_FALSE(is_vacuous({.quantity = "x", .measured = 0, .limit = 0}));
-  EXPECT_FALSE(is_vacuous({.quantity = "x", .measured = 1e-5, .limit = 2e-3, .resolution = 1e-4}));  // luck, not slack
-  EXPECT_FALSE(is_vacuous({.quantity = "x", .measured = 3e-3, .limit = 2e-3}));                      // failed, not idle
+  EXPECT_FALSE(is_vacuous({.quantity = "x", .measured = 0, .limit = 1e-15, .rounding = 1e-16}));  // as good as can be
+  EXPECT_FALSE(is_vacuous({.quantity = "x", .measured = 3e-3, .limit = 2e-3}));                   // failed, not idle
 }
 
 TEST(FrameTimes, ArePercentilesOfTheSortedTimes) {
@@ -132,8 +133,14 @@ TEST(Difference, SeesWhereTwoRecordingsPart) {
 class Oracle : public Engine {
  public:
   explicit Oracle(double slowness) : slowness_(slowness) {}
-  [[nodiscard]] std::string name() const override { return "oracle"; }
-  [[nodiscard]] Recording simulate(const Scene& scene, const EngineOptions& options, const Progress&) const override {
+  [[nodiscard]] EngineInfo info(const EngineOptions& options) const override {
+    return {.name = "oracle",
+            .levels = {Level::compliant},
+            .errs = {ErrorModel::Kind::controlled, options.accuracy, 0},
+            .records = {true, true, true, true}};
+  }
+  [[nodiscard]] Recording play(const Problem& problem, const EngineOptions& options, const Progress&) const override {
+    const auto& scene = std::get<Scene>(problem);
     Recording r;
     const double a = 9.81 * (std::sin(0.5) - 0.4 * std::cos(0.5)) * slowness_;  // C01
     const auto frames = std::lround(scene.duration * options.frame_rate);
@@ -150,38 +157,56 @@ class Oracle : public Engine {
   double slowness_;
 };
 
-std::size_t failures(const SuiteResult& result) {
-  std::size_t n = 0;
-  for (const Gate* gate : gates(result)) n += !passes(*gate);
-  return n;
-}
+std::size_t failures(const SuiteResult& result) { return count(result).failed; }
 
 TEST(Suite, PassesTheTruthAndFailsWhatIsOffByAThousandth) {
-  // The first run of C01 alone speaks of sliding; the two threshold runs slide as well and so one of them must fail: 2
-  // gates.
+  // The first run of C01 alone speaks of sliding; the two threshold runs slide as well and so one of them must fail.
   const SuiteOptions options{.ids = {"C01"}, .study_refinements = {}};
-  EXPECT_EQ(failures(run_suite(Oracle(1), Oracle(1), options)), 2U);
-  EXPECT_EQ(failures(run_suite(Oracle(1.001), Oracle(1), options)),
-            5U);  // and three quantities of the reference at 1e-7
+  const Oracle right(1), slow(1.001);
+  EXPECT_EQ(failures(run_suite({&right}, options)), 1U);
+  EXPECT_EQ(failures(run_suite({&right, &slow}, options)), 5U);  // twice that, and three quantities at 1e-9
 }
 
 TEST(Suite, NamesTheCasesWhenAskedForAnUnknownOne) {
+  const Oracle oracle(1);
   try {
-    (void)run_suite(Oracle(1), Oracle(1), {.ids = {"Z99"}});
+    (void)run_suite({&oracle}, {.ids = {"Z99"}});
     FAIL() << "accepted";
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("there are A01, "), std::string::npos) << error.what();
   }
 }
 
+TEST(Suite, NeedsAnEngine) { EXPECT_THROW((void)run_suite({}, {.ids = {"C01"}}), InputError); }
+
+/// Joins with a name and two functions; the suite needs to know nothing more of it.
+class Foreign : public Oracle {
+ public:
+  using Oracle::Oracle;
+  [[nodiscard]] EngineInfo info(const EngineOptions&) const override {
+    return {.name = "foreign", .levels = {Level::compliant}};
+  }
+};
+
+TEST(Suite, GradesAForeignEngineAndFailsNothingForIt) {
+  const Foreign off(1.004);
+  const SuiteResult result = run_suite({&off}, {.ids = {"C01"}, .study_refinements = {}});
+  EXPECT_EQ(count(result).gates, 0U);
+  EXPECT_FALSE(passed(result));  // nothing was gated, and nothing judged is no pass
+  const std::vector<ClaimResult>& slides = result.cases.at(0).runs.at(0).claims;
+  EXPECT_EQ(slides.at(1).judgements.at(0).grade, Grade::within_1_percent);  // speed goes with the acceleration
+  EXPECT_EQ(result.cases[0].runs[1].claims.at(0).judgements.at(0).grade,
+            Grade::wrong);  // it slides below the threshold
+}
+
 TEST(Engines, RefuseAFrameRateThatIsNone) {
   const catalogue::Run& run = catalogue::all_cases().front().runs.front();
   for (const double rate : {0.0, -90.0, nan, std::numeric_limits<double>::infinity()})
-    EXPECT_THROW((void)make_engine("realtime")->simulate(run.scene(), {.frame_rate = rate}), InputError) << rate;
+    EXPECT_THROW((void)make_engine("realtime")->play(run.problem(), {.frame_rate = rate}), InputError) << rate;
 }
 
 TEST(Engines, AreFoundByName) {
-  EXPECT_EQ(make_engine("realtime")->name(), "realtime");
+  EXPECT_EQ(make_engine("realtime")->info({}).name, "realtime");
   EXPECT_THROW((void)make_engine("bullet"), InputError);
 }
 

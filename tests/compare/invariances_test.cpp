@@ -85,7 +85,7 @@ class Invariance : public ::testing::TestWithParam<std::string> {
     options.frame_rate = 120 / change.time();
     options.max_step *= change.time();
     options.accuracy = accuracy;
-    return make_engine(GetParam())->simulate(shaken(change), options);
+    return make_engine(GetParam())->play(shaken(change), options);
   }
 
   /// The changed run, frame by frame, is the unchanged one seen differently: largest distance of the block's places and

@@ -54,8 +54,13 @@ TEST(Gap, IsNotANumberWhenARunDiverged) {
 class Model : public Engine {
  public:
   explicit Model(double power) : power_(power) {}
-  [[nodiscard]] std::string name() const override { return "model"; }
-  [[nodiscard]] Recording simulate(const Scene&, const EngineOptions& options, const Progress&) const override {
+  [[nodiscard]] EngineInfo info(const EngineOptions& options) const override {
+    return {.name = "model",
+            .levels = {Level::compliant},
+            .errs = {ErrorModel::Kind::controlled, options.accuracy, 0},
+            .records = {true, true, true, true}};
+  }
+  [[nodiscard]] Recording play(const Problem&, const EngineOptions& options, const Progress&) const override {
     const double a = options.accuracy;
     std::vector<Event> events{event(0.5 + 2 * a, EventKind::touch, 0)};
     if (a < 1e-7) events.push_back(event(0.75, EventKind::release, 0));

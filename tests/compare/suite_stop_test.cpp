@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "compare/judge/suite.hpp"
+#include "compare/judge/verdict.hpp"
 
 namespace handhold::compare {
 namespace {
@@ -9,8 +10,13 @@ namespace {
 /// An engine of ten frames that asks after every one whether to go on.
 class Slow : public Engine {
  public:
-  [[nodiscard]] std::string name() const override { return "slow"; }
-  [[nodiscard]] Recording simulate(const Scene&, const EngineOptions&, const Progress& progress) const override {
+  [[nodiscard]] EngineInfo info(const EngineOptions& options) const override {
+    return {.name = "slow",
+            .levels = {Level::compliant},
+            .errs = {ErrorModel::Kind::controlled, options.accuracy, 0},
+            .records = {true, true, true, true}};
+  }
+  [[nodiscard]] Recording play(const Problem&, const EngineOptions&, const Progress& progress) const override {
     Recording recording;
     for (int i = 0; i < 10; ++i) {
       recording.frames.push_back({.t = 0.1 * i, .bodies = {BodyState{}}});
@@ -25,31 +31,52 @@ class Slow : public Engine {
 
 TEST(SuiteStop, DropsTheRunThatWasStoppedAndKeepsThoseBefore) {
   int asked = 0;
-  SuiteOptions options{.ids = {"C01"}, .study_refinements = {}};
-  options.stop = [&] { return ++asked > 35; };  // the first run asks 20 times, the second would
-  const SuiteResult result = run_suite(Slow(), Slow(), options);
+  SuiteOptions options{.ids = {"C01"}, .study_refinements = {}, .threads = 1};
+  options.stop = [&] { return ++asked > 37; };  // the first run asks 20 times, the second would
+  const Slow slow;
+  const SuiteResult result = run_suite({&slow, &slow}, options);
   EXPECT_TRUE(result.interrupted);
   EXPECT_FALSE(passed(result));
-  EXPECT_EQ(asked, 36);  // at once
+  EXPECT_EQ(asked, 39);  // at once
   ASSERT_EQ(result.cases.size(), 1U);
   EXPECT_EQ(result.cases[0].runs.size(), 1U);
 }
 
 TEST(SuiteStop, RunsToItsEndWhenNobodyStopsIt) {
-  const SuiteResult result = run_suite(Slow(), Slow(), {.ids = {"C01"}, .study_refinements = {}});
+  const Slow slow;
+  const SuiteResult result = run_suite({&slow, &slow}, {.ids = {"C01"}, .study_refinements = {}});
   EXPECT_FALSE(result.interrupted);
   EXPECT_EQ(result.cases[0].runs.size(), 3U);
 }
 
-/// The catalogue asks the thresholds of G02 of the reference alone.
-TEST(SuiteAsks, TheRealTimePathOnlyWhatItCanBeAsked) {
-  const SuiteResult result = run_suite(Slow(), Slow(), {.ids = {"G02"}, .study_refinements = {}});
-  std::size_t asked = 0, not_asked = 0;
-  for (const RunResult& run : result.cases.at(0).runs)
-    for (const Finding& finding : run.findings) ++(finding.realtime.asked ? asked : not_asked);
-  EXPECT_GT(asked, 0U);
-  EXPECT_GT(not_asked, 0U);
-  EXPECT_EQ(gates(result).size(), 2 * asked + not_asked);  // what was not asked is no gate, neither held nor failed
+/// An engine with a fixed step.
+class Stepping : public Slow {
+ public:
+  [[nodiscard]] EngineInfo info(const EngineOptions&) const override {
+    return {.name = "stepping",
+            .levels = {Level::compliant},
+            .errs = {ErrorModel::Kind::stepped, 0, 1.0 / 360},
+            .records = {true, true, true, true}};
+  }
+};
+
+/// The catalogue asks the thresholds of G02 of engines that control their error alone.
+TEST(SuiteAsks, OnlyWhatAnEngineCanBeAsked) {
+  const Slow slow;
+  const Stepping stepping;
+  const SuiteResult result = run_suite({&slow, &stepping}, {.ids = {"G02"}, .study_refinements = {}});
+  const Count n = count(result);
+  EXPECT_GT(n.not_asked, 0U);
+  std::size_t claims = 0;
+  for (const RunResult& run : result.cases.at(0).runs) claims += run.claims.size();
+  EXPECT_EQ(n.gates + n.not_asked, 2 * claims);  // what was not asked is no gate, neither held nor failed
+  EXPECT_GT(n.gates, claims);
+}
+
+TEST(SuiteAsks, NobodyAboutALevelThatItDoesNotPlay) {
+  const Slow slow;
+  const SuiteResult result = run_suite({&slow}, {.levels = {Level::rigid}, .study_refinements = {}});
+  EXPECT_EQ(count(result).gates, 0U);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include <unistd.h>
 
 #include "cases/model/input_error.hpp"
-#include "reports/page.hpp"
+#include "reports/data/results_json.hpp"
 #include "tests/reports/sample_result.hpp"
 
 namespace handhold::reports {
@@ -42,7 +42,7 @@ class WriteReport : public testing::Test {
 
 TEST_F(WriteReport, WritesAllFilesAndLeavesNothingBeside) {
   write_report(sample_result(), root / "a" / "report/");
-  for (const char* name : {"index.html", "results.json", "junit.xml", "table.txt"})
+  for (const char* name : {"results.json", "times.json", "junit.xml", "table.txt"})
     EXPECT_GT(fs::file_size(root / "a" / "report" / name), 100u) << name;
   EXPECT_EQ(std::distance(fs::directory_iterator(root / "a"), fs::directory_iterator()), 1);
 }
@@ -50,7 +50,7 @@ TEST_F(WriteReport, WritesAllFilesAndLeavesNothingBeside) {
 TEST_F(WriteReport, ReplacesAnEarlierReport) {
   write_report({}, root / "report");
   write_report(sample_result(), root / "report");
-  EXPECT_EQ(read(root / "report/index.html"), page(sample_result()));
+  EXPECT_EQ(read(root / "report/results.json"), results_json(sample_result()));
   EXPECT_EQ(entries(), 1u);
 }
 
@@ -73,7 +73,7 @@ TEST_F(WriteReport, RefusesAFileAndALink) {
 
 TEST_F(WriteReport, AFullDiskLeavesTheOldReport) {  // a limit on the size of files stands for the disk
   write_report({}, root / "report");
-  const std::string before = read(root / "report/index.html");
+  const std::string before = read(root / "report/results.json");
   struct rlimit old {};
   ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &old), 0);
   const auto handler = std::signal(SIGXFSZ, SIG_IGN);
@@ -83,7 +83,7 @@ TEST_F(WriteReport, AFullDiskLeavesTheOldReport) {  // a limit on the size of fi
   EXPECT_THROW(write_file(root / "single", std::string(5000, 'x')), InputError);
   setrlimit(RLIMIT_FSIZE, &old);
   std::signal(SIGXFSZ, handler);
-  EXPECT_EQ(read(root / "report/index.html"), before);
+  EXPECT_EQ(read(root / "report/results.json"), before);
   EXPECT_EQ(entries(), 1u);  // nor is anything left beside it
 }
 

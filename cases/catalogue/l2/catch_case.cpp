@@ -1,4 +1,4 @@
-#include "cases/catalogue/builders/slider_expectations.hpp"
+#include "cases/catalogue/builders/slider_claims.hpp"
 #include "cases/catalogue/builders/slider_scenes.hpp"
 #include "cases/catalogue/families.hpp"
 
@@ -23,25 +23,25 @@ closed_form::SliderOscillator falling() {
 Case catch_case() {
   const auto o = falling();
   const double end = 36.0 / 90;
-  const SliderExpectations expect(o, end, up, samples);
-  Run run{.name = "catches", .scene = [=] { return pinch_scene("D03 catch", o, end); }};
-  Expectation mid = expect.slip(12.0 / 90, "fall at t = 2/15 s");
+  const SliderClaims expect(o, end, up, samples);
+  Run run{.name = "catches", .problem = [=] { return pinch_scene("D03 catch", o, end); }};
+  Claim mid = expect.slip(12.0 / 90, "fall at t = 2/15 s");
   mid.converges = true;
-  run.expectations = {expect.restick(1, "stop"),
-                      expect.slip_at_restick(1, "fall to the stop"),
-                      mid,
-                      expect.slip(end, "place at t = 0.4 s"),
-                      {.quantity = "holds from then on",
-                       .truth = expect.truth().events().size() == 1 ? 1.0 : 0.0,
-                       .source = "L2: the springs swing within the growing cone",
-                       .measure = {.kind = Measure::Kind::no_event, .event = EventKind::breakaway},
-                       .reference = exact_limit(),
-                       .realtime = exact_limit()}};
+  run.claims = {expect.restick(1, "stop"),
+                expect.slip_at_restick(1, "fall to the stop"),
+                mid,
+                expect.slip(end, "place at t = 0.4 s"),
+                {.quantity = "holds from then on",
+                 .truth = expect.truth().events().size() == 1 ? 1.0 : 0.0,
+                 .source = "L2: the springs swing within the growing cone",
+                 .measure = {.kind = Measure::Kind::no_event, .event = EventKind::breakaway},
+                 .controlled = exact_limit(),
+                 .stepped = exact_limit()}};
   run.curve = expect.curve("rise [m]");
   return {
       .id = "D03",
       .title = "Catch: closing fingers stop a falling object",
-      .level = "L2",
+      .truth_level = "L2",
       .statement =
           "A 0.2 kg block slides down between two fingers with 0.15 m/s; each presses with 2 N + 8 N/s t; mu_s = 0.5, "
           "mu_d = 0.4.",

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "cases/catalogue/builders/slider_expectations.hpp"
+#include "cases/catalogue/builders/slider_claims.hpp"
 #include "cases/catalogue/builders/slider_scenes.hpp"
 #include "cases/catalogue/families.hpp"
 
@@ -27,23 +27,23 @@ closed_form::SliderOscillator dragged() {
 Case drag_step_case() {
   const auto o = dragged();
   const double end = 9.0 / 90;
-  const SliderExpectations expect(o, end, up, samples);
-  Run run{.name = "rings", .scene = [=] { return pinch_scene("G01 hand step", o, end); }};
-  run.expectations = {expect.slip(1.0 / 90, "x at t = 1/90 s"), expect.speed(2.0 / 90, "speed at t = 2/90 s"),
-                      expect.slip(3.0 / 90, "overshoot 2 s, t = 3/90 s"), expect.slip(end, "overshoot 2 s, t = 0.1 s")};
-  run.expectations[1].converges = true;
-  run.expectations[1].reference =
-      absolute_reference_limit(std::sqrt(o.stiffness / o.mass), "a speed of the oscillation is w times its place");
-  run.expectations.push_back({.quantity = "sticks",
-                              .truth = 1,
-                              .source = "L2: K s = 1.6 N <= 2 mu N = 4 N",
-                              .measure = {.kind = Measure::Kind::no_event, .event = EventKind::breakaway},
-                              .reference = exact_limit(),
-                              .realtime = exact_limit()});
+  const SliderClaims expect(o, end, up, samples);
+  Run run{.name = "rings", .problem = [=] { return pinch_scene("G01 hand step", o, end); }};
+  run.claims = {expect.slip(1.0 / 90, "x at t = 1/90 s"), expect.speed(2.0 / 90, "speed at t = 2/90 s"),
+                expect.slip(3.0 / 90, "overshoot 2 s, t = 3/90 s"), expect.slip(end, "overshoot 2 s, t = 0.1 s")};
+  run.claims[1].converges = true;
+  run.claims[1].controlled =
+      absolute_controlled_limit(std::sqrt(o.stiffness / o.mass), "a speed of the oscillation is w times its place");
+  run.claims.push_back({.quantity = "sticks",
+                        .truth = 1,
+                        .source = "L2: K s = 1.6 N <= 2 mu N = 4 N",
+                        .measure = {.kind = Measure::Kind::no_event, .event = EventKind::breakaway},
+                        .controlled = exact_limit(),
+                        .stepped = exact_limit()});
   run.curve = expect.curve("x [m]");
   return {.id = "G01",
           .title = "Sticking object dragged by a hand step: tangential oscillation",
-          .level = "L2",
+          .truth_level = "L2",
           .statement =
               "A 0.18 kg cube between two fingers, 4 N each, mu = 0.5, no gravity; the hand has jumped by s = 1 mm.",
           .formula = "sticks iff K s <= 2 mu N; x = s (1 - cos w t), w = sqrt(K/m), overshoot 2 s, v_max = s w",

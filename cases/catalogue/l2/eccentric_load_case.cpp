@@ -33,13 +33,13 @@ Run threshold_run(double arm, double share) {
   const closed_form::EccentricLoad l{.arm = arm};
   const double weight = share * limit_load(l).weight, end = 0.6;
   Run run{.name = fmt::format("L = {} mm, {} of the threshold", 1e3 * arm, share),
-          .scene = [=] { return scene(l, weight, end); }};
-  run.expectations = {{.quantity = "holds",
-                       .truth = share < 1 ? 1.0 : 0.0,
-                       .source = "L1 = L2: W = 2 (mu N/8) min over c of sum |r_i - c|/(L + c), 8 samples",
-                       .measure = {.kind = Measure::Kind::held, .axis = down, .level = 0.1 * arm},
-                       .reference = exact_limit(),
-                       .realtime = exact_limit()}};
+          .problem = [=] { return scene(l, weight, end); }};
+  run.claims = {{.quantity = "holds",
+                 .truth = share < 1 ? 1.0 : 0.0,
+                 .source = "L1 = L2: W = 2 (mu N/8) min over c of sum |r_i - c|/(L + c), 8 samples",
+                 .measure = {.kind = Measure::Kind::held, .axis = down, .level = 0.1 * arm},
+                 .controlled = exact_limit(),
+                 .stepped = exact_limit()}};
   return run;
 }
 
@@ -49,7 +49,7 @@ Case eccentric_load_case() {
   return {
       .id = "F02",
       .title = "Eccentric load on a pinch: exact limit load of two rings",
-      .level = "L1",
+      .truth_level = "L1",
       .statement =
           "Two rings of 4 mm radius press with 4 N each and carry a weight 20 mm or 6 mm beside their axis; mu = 0.5.",
       .formula =

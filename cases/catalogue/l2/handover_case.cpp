@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "cases/catalogue/builders/scenes.hpp"
-#include "cases/catalogue/builders/slider_expectations.hpp"
+#include "cases/catalogue/builders/slider_claims.hpp"
 #include "cases/catalogue/families.hpp"
 
 namespace handhold::catalogue {
@@ -67,28 +67,28 @@ double sag_after(const closed_form::SliderState& open, double tau) {
 Case handover_case() {
   const auto o = handover();
   const double open = first_force / rate, end = open + 9.0 / 90;
-  const SliderExpectations expect(o, open, down, samples);
+  const SliderClaims expect(o, open, down, samples);
   const closed_form::SliderState at_opening = expect.truth().at(open);
-  Run run{.name = "hands over", .scene = [=] { return scene(end); }};
-  run.expectations = {expect.breakaway(1, "onset"), expect.slip(54.0 / 90, "sag at t = 0.6 s"),
-                      expect.slip(81.0 / 90, "sag at t = 0.9 s"), expect.slip(open, "sag when hand 1 opens, 1 s")};
+  Run run{.name = "hands over", .problem = [=] { return scene(end); }};
+  run.claims = {expect.breakaway(1, "onset"), expect.slip(54.0 / 90, "sag at t = 0.6 s"),
+                expect.slip(81.0 / 90, "sag at t = 0.9 s"), expect.slip(open, "sag when hand 1 opens, 1 s")};
   const double mean = mass * gravity / second_stiffness;
   const double swing = std::hypot(at_opening.x - mean, at_opening.v / std::sqrt(second_stiffness / mass));
-  run.expectations.push_back(
+  run.claims.push_back(
       {.quantity = "sag at t = 1.1 s",
        .unit = "m",
        .truth = sag_after(at_opening, end - open),
        .source = "L2: m g/K2 + the oscillation that is left",
        .measure = {.kind = Measure::Kind::displacement, .axis = down, .at = end},
-       .reference = absolute_reference_limit(),
-       .realtime = {.value = 2 * swing,
-                    .reason = "the implicit step damps the oscillation of 18 um out, before and after the opening"}});
+       .controlled = absolute_controlled_limit(),
+       .stepped = {.value = 2 * swing,
+                   .reason = "the implicit step damps the oscillation of 18 um out, before and after the opening"}});
   run.curve = Curve{"sag [m]", {.kind = Measure::Kind::displacement, .axis = down}, [=](double t) {
                       return t < open ? expect.truth().at(t).x : sag_after(at_opening, t - open);
                     }};
   return {.id = "G05",
           .title = "Handover in mid-air: the load moves by stiffness",
-          .level = "L2",
+          .truth_level = "L2",
           .statement =
               "Hand 1 holds a 0.2 kg cube with 4 N a finger, hand 2 grips it with 5 N, slack; hand 1 opens with 4 N/s; "
               "mu = 0.5.",

@@ -1,4 +1,4 @@
-#include "cases/catalogue/builders/slider_expectations.hpp"
+#include "cases/catalogue/builders/slider_claims.hpp"
 #include "cases/catalogue/builders/slider_scenes.hpp"
 #include "cases/catalogue/families.hpp"
 
@@ -21,19 +21,19 @@ closed_form::SliderOscillator pushed() {
 Case harmonic_force_case() {
   const auto o = pushed();
   const double end = 65.0 / 90;
-  const SliderExpectations expect(o, end, along, samples);
+  const SliderClaims expect(o, end, along, samples);
   Run run{.name = "stick-slip",
-          .scene = [=] { return palm_scene("C05 harmonic force", o, {.samples = samples}, end); }};
-  run.expectations = {expect.breakaway(1, "first onset"),
-                      expect.restick(1, "first stop"),
-                      expect.slip_at_restick(1, "slip of the first half cycle"),
-                      expect.breakaway(2, "second onset"),
-                      expect.restick(2, "second stop"),
-                      expect.slip(45.0 / 90, "place at t = 0.5 s")};
+          .problem = [=] { return palm_scene("C05 harmonic force", o, {.samples = samples}, end); }};
+  run.claims = {expect.breakaway(1, "first onset"),
+                expect.restick(1, "first stop"),
+                expect.slip_at_restick(1, "slip of the first half cycle"),
+                expect.breakaway(2, "second onset"),
+                expect.restick(2, "second stop"),
+                expect.slip(45.0 / 90, "place at t = 0.5 s")};
   run.curve = expect.curve("slip [m]");
   return {.id = "C05",
           .title = "Block under a harmonic force: stick-slip",
-          .level = "L2",
+          .truth_level = "L2",
           .statement = "A 0.2 kg block on a palm is pushed to and fro with 1.4 N sin(10 t); mu_s = 0.5, mu_d = 0.4.",
           .formula =
               "L1: sin(w t1) = mu_s m g / F0; slides until v(t) = F0/(m w) (cos w t1 - cos w t) - mu_d g (t - t1) "

@@ -36,16 +36,16 @@ double frame(int n) { return n / 90.0; }
 /// Set off from the middle with speed v along `axis`: x = v/w sin w t.
 Run translation_run(const std::string& name, const Eigen::Vector3d& axis, double v) {
   const double w = translation_frequency(cube()), end = frame(6);
-  Run run{.name = name, .scene = [=] { return scene({.v = v * axis}, 0, 0, end); }};
+  Run run{.name = name, .problem = [=] { return scene({.v = v * axis}, 0, 0, end); }};
   for (const int n : {2, 6})
-    run.expectations.push_back({.quantity = fmt::format("place at t = {}/90 s", n),
-                                .unit = "m",
-                                .truth = v / w * std::sin(w * frame(n)),
-                                .source = "L2: v/w sin w t, w^2 = 2 K/m",
-                                .measure = {.kind = Measure::Kind::displacement, .axis = axis, .at = frame(n)},
-                                .reference = absolute_reference_limit(),
-                                .realtime = implicit_ring_limit(v / w, w, frame(n)),
-                                .converges = n == 2});
+    run.claims.push_back({.quantity = fmt::format("place at t = {}/90 s", n),
+                          .unit = "m",
+                          .truth = v / w * std::sin(w * frame(n)),
+                          .source = "L2: v/w sin w t, w^2 = 2 K/m",
+                          .measure = {.kind = Measure::Kind::displacement, .axis = axis, .at = frame(n)},
+                          .controlled = absolute_controlled_limit(),
+                          .stepped = implicit_ring_limit(v / w, w, frame(n)),
+                          .converges = n == 2});
   run.curve = Curve{"place [m]", {.kind = Measure::Kind::displacement, .axis = axis}, [=](double t) {
                       return v / w * std::sin(w * t);
                     }};
@@ -56,16 +56,16 @@ Run translation_run(const std::string& name, const Eigen::Vector3d& axis, double
 Run rotation_run(const std::string& name, const Eigen::Vector3d& axis, double w, double spin, int first, int last,
                  const std::string& formula) {
   const double end = frame(last);
-  Run run{.name = name, .scene = [=] { return scene({.w = spin * axis}, 0, 0, end); }};
+  Run run{.name = name, .problem = [=] { return scene({.w = spin * axis}, 0, 0, end); }};
   for (const int n : {first, last})
-    run.expectations.push_back({.quantity = fmt::format("angle at t = {}/90 s", n),
-                                .unit = "rad",
-                                .truth = closed_form::swing_from_bottom(w, spin, frame(n)),
-                                .source = "L2: sin(th/2) = kappa sn(W t, kappa), kappa = w0/(2 W), " + formula,
-                                .measure = {.kind = Measure::Kind::rotation, .axis = axis, .at = frame(n)},
-                                .reference = absolute_reference_limit(),
-                                .realtime = implicit_ring_limit(spin / w, w, frame(n)),
-                                .converges = n == first});
+    run.claims.push_back({.quantity = fmt::format("angle at t = {}/90 s", n),
+                          .unit = "rad",
+                          .truth = closed_form::swing_from_bottom(w, spin, frame(n)),
+                          .source = "L2: sin(th/2) = kappa sn(W t, kappa), kappa = w0/(2 W), " + formula,
+                          .measure = {.kind = Measure::Kind::rotation, .axis = axis, .at = frame(n)},
+                          .controlled = absolute_controlled_limit(),
+                          .stepped = implicit_ring_limit(spin / w, w, frame(n)),
+                          .converges = n == first});
   run.curve = Curve{"angle [rad]", {.kind = Measure::Kind::rotation, .axis = axis}, [=](double t) {
                       return closed_form::swing_from_bottom(w, spin, t);
                     }};
@@ -74,18 +74,17 @@ Run rotation_run(const std::string& name, const Eigen::Vector3d& axis, double w,
 
 Run sag_run() {
   const double end = 0.3;  // the transient has faded to exp(-80 t), 4e-11
-  Run run{.name = "sags", .scene = [=] { return scene({}, 2, cube().gravity, end); }};
-  run.expectations = {{.quantity = "sag",
-                       .unit = "m",
-                       .truth = sag(cube()),
-                       .source = "L2: m g/(2 K)",
-                       .measure = {.kind = Measure::Kind::displacement, .axis = down, .at = end},
-                       .reference = absolute_reference_limit(),
-                       .realtime = {.value = 1e-9,
-                                    .relative = true,
-                                    .reason = "rest does not depend on the step; 4e-11 of the settling is left, in the "
-                                              "implicit step up to ten times that",
-                                    .resolution = 1e-11}}};
+  Run run{.name = "sags", .problem = [=] { return scene({}, 2, cube().gravity, end); }};
+  run.claims = {{.quantity = "sag",
+                 .unit = "m",
+                 .truth = sag(cube()),
+                 .source = "L2: m g/(2 K)",
+                 .measure = {.kind = Measure::Kind::displacement, .axis = down, .at = end},
+                 .controlled = absolute_controlled_limit(),
+                 .stepped = {.value = 1e-9,
+                             .relative = true,
+                             .reason = "rest does not depend on the step; 4e-11 of the settling is left, in the "
+                                       "implicit step up to ten times that"}}};
   return run;
 }
 
@@ -95,7 +94,7 @@ Case held_cube_case() {
   const closed_form::HeldCube c = cube();
   return {.id = "G10",
           .title = "Compliant pinch: modes and sag of a held cube",
-          .level = "L2",
+          .truth_level = "L2",
           .statement = "A 0.2 kg cube of 62.5 mm between two rings of 4 mm radius that press with 2 N; mu = 1.",
           .formula =
               "w_n^2 = w_t^2 = 2 K/m, w_roll^2 = (2 K s^2/4 + K a^2 - N s)/I, w_spin^2 = 2 K a^2/I, I = m s^2/6; sag "

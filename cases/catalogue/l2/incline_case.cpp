@@ -42,31 +42,29 @@ Run sliding_run(double slope) {
   const double t = 36.0 / 90;  // ends on a frame, just past D
   const double a = acceleration(truth);
   const double v = speed_at(truth, distance);
-  Run run{.name = "slides", .scene = [=] { return scene(slope, t, true); }};
-  run.expectations = {
+  Run run{.name = "slides", .problem = [=] { return scene(slope, t, true); }};
+  run.claims = {
       {.quantity = "time to slide 0.1 m",
        .unit = "s",
        .truth = time_at(truth, distance),
        .source = "L1 = L2: t = sqrt(2 D / a), a = g (sin th - mu_d cos th)",
        .measure = {.kind = Measure::Kind::time_at_displacement, .axis = down_hill, .level = distance},
-       .reference = reference_limit(),
-       .realtime = {.per_substep = 0.51, .reason = "the bias a t h / 2 of the distance (R03) over the speed a t"}},
+       .controlled = controlled_limit(),
+       .stepped = {.per_step = 0.51, .reason = "the bias a t h / 2 of the distance (R03) over the speed a t"}},
       {.quantity = "speed at t = 0.4 s",
        .unit = "m/s",
        .truth = a * t,
        .source = "L1 = L2: v = a t",
        .measure = {.kind = Measure::Kind::speed, .axis = down_hill, .at = t},
-       .reference = reference_limit(),
-       .realtime = {.value = 1e-12 * v,
-                    .reason = "exact for a constant force (R03): rounding",
-                    .resolution = 1e-14 * v}},
+       .controlled = controlled_limit(),
+       .stepped = {.value = 1e-12 * v, .reason = "exact for a constant force (R03): rounding"}},
       {.quantity = "slip at t = 0.4 s",
        .unit = "m",
        .truth = slip(truth, t),
        .source = "L1 = L2: x = a t^2 / 2",
        .measure = {.kind = Measure::Kind::displacement, .axis = down_hill, .at = t},
-       .reference = reference_limit(),
-       .realtime = euler_bias_limit(a * t),
+       .controlled = controlled_limit(),
+       .stepped = euler_bias_limit(a * t),
        .converges = true}};
   run.curve = Curve{"slip [m]", {.kind = Measure::Kind::displacement, .axis = down_hill}, [truth](double s) {
                       return slip(truth, s);
@@ -81,13 +79,13 @@ Run threshold_run(double share) {
   const bool truth = holds(incline(slope));
   // Slipping, it moves further than this by far; sticking, only its springs could give way, by the lag.
   const double level = 0.5 * slip(incline(std::atan(1.02 * friction.mu_static)), duration);
-  Run run{.name = fmt::format("{} of the threshold", share), .scene = [=] { return scene(slope, duration, false); }};
-  run.expectations = {{.quantity = "holds",
-                       .truth = truth ? 1.0 : 0.0,
-                       .source = "L1 = L2: tan th <= mu_s",
-                       .measure = {.kind = Measure::Kind::held, .axis = down_hill, .level = level},
-                       .reference = exact_limit(),
-                       .realtime = exact_limit()}};
+  Run run{.name = fmt::format("{} of the threshold", share), .problem = [=] { return scene(slope, duration, false); }};
+  run.claims = {{.quantity = "holds",
+                 .truth = truth ? 1.0 : 0.0,
+                 .source = "L1 = L2: tan th <= mu_s",
+                 .measure = {.kind = Measure::Kind::held, .axis = down_hill, .level = level},
+                 .controlled = exact_limit(),
+                 .stepped = exact_limit()}};
   return run;
 }
 
@@ -96,7 +94,7 @@ Run threshold_run(double share) {
 Case incline_case() {
   return {.id = "C01",
           .title = "Incline: stick threshold, slide time and speed",
-          .level = "L1",
+          .truth_level = "L1",
           .statement = "A 0.2 kg block on a palm tilted by th = 0.5 rad is let go; mu_s = 0.5, mu_d = 0.4.",
           .formula = "holds iff tan th <= mu_s; else a = g (sin th - mu_d cos th), t = sqrt(2 D / a), v = sqrt(2 a D)",
           .note =

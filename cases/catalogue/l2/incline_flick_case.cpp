@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "cases/catalogue/builders/slider_expectations.hpp"
+#include "cases/catalogue/builders/slider_claims.hpp"
 #include "cases/catalogue/builders/slider_scenes.hpp"
 #include "cases/catalogue/families.hpp"
 
@@ -25,36 +25,36 @@ closed_form::SliderOscillator flick(double slope) {
 
 Run run_of(const std::string& name, double slope) {
   const auto o = flick(slope);
-  return {.name = name, .scene = [=] { return palm_scene("C02 " + name, o, {.samples = samples}, 0.3); }};
+  return {.name = name, .problem = [=] { return palm_scene("C02 " + name, o, {.samples = samples}, 0.3); }};
 }
 
 Run returning_run() {
   Run run = run_of("comes back, th = 0.6", 0.6);
-  const SliderExpectations expect(flick(0.6), 0.3, up_hill, samples);
-  Expectation mid = expect.slip(9.0 / 90, "slip at t = 0.1 s, still going up");
+  const SliderClaims expect(flick(0.6), 0.3, up_hill, samples);
+  Claim mid = expect.slip(9.0 / 90, "slip at t = 0.1 s, still going up");
   mid.converges = true;
-  run.expectations = {expect.restick(1, "turns back"),
-                      expect.slip_at_restick(1, "height of the turn"),
-                      mid,
-                      expect.breakaway(1, "slides down again"),
-                      expect.slip(27.0 / 90, "place at t = 0.3 s"),
-                      expect.speed(27.0 / 90, "speed at t = 0.3 s")};
+  run.claims = {expect.restick(1, "turns back"),
+                expect.slip_at_restick(1, "height of the turn"),
+                mid,
+                expect.breakaway(1, "slides down again"),
+                expect.slip(27.0 / 90, "place at t = 0.3 s"),
+                expect.speed(27.0 / 90, "speed at t = 0.3 s")};
   run.curve = expect.curve("slip up the palm [m]");
   return run;
 }
 
 Run holding_run() {
   Run run = run_of("stays up, th = 0.3", 0.3);
-  const SliderExpectations expect(flick(0.3), 0.3, up_hill, samples);
-  run.expectations = {expect.restick(1, "stops"),
-                      expect.slip_at_restick(1, "height of the stop"),
-                      expect.slip(27.0 / 90, "rest, t = 0.3 s"),
-                      {.quantity = "never slides again",
-                       .truth = expect.truth().events().size() == 1 ? 1.0 : 0.0,
-                       .source = "L2: the springs swing back within the static cone",
-                       .measure = {.kind = Measure::Kind::no_event, .event = EventKind::breakaway},
-                       .reference = exact_limit(),
-                       .realtime = exact_limit()}};
+  const SliderClaims expect(flick(0.3), 0.3, up_hill, samples);
+  run.claims = {expect.restick(1, "stops"),
+                expect.slip_at_restick(1, "height of the stop"),
+                expect.slip(27.0 / 90, "rest, t = 0.3 s"),
+                {.quantity = "never slides again",
+                 .truth = expect.truth().events().size() == 1 ? 1.0 : 0.0,
+                 .source = "L2: the springs swing back within the static cone",
+                 .measure = {.kind = Measure::Kind::no_event, .event = EventKind::breakaway},
+                 .controlled = exact_limit(),
+                 .stepped = exact_limit()}};
   return run;
 }
 
@@ -63,7 +63,7 @@ Run holding_run() {
 Case incline_flick_case() {
   return {.id = "C02",
           .title = "Incline: slides up, stops, comes back or stays",
-          .level = "L2",
+          .truth_level = "L2",
           .statement = "A 0.2 kg block is flicked up a tilted palm with 1 m/s; mu_s = 0.5, mu_d = 0.4.",
           .formula =
               "L1: t_up = v0 / (g (sin th + mu_d cos th)), D = v0 t_up / 2; comes back iff tan th > mu_s. "

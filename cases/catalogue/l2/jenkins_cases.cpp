@@ -34,25 +34,25 @@ Scene scene(const std::string& name, const Friction& friction, double start, con
   return scene;
 }
 
-Expectation force(int at_frame, double truth, const std::string& quantity, const Limit& realtime) {
+Claim force(int at_frame, double truth, const std::string& quantity, const Limit& realtime) {
   return {.quantity = quantity,
           .unit = "N",
           .truth = truth,
           .source = "L2: Jenkins element",
           .measure = {.kind = Measure::Kind::force, .axis = along, .at = frame(at_frame)},
-          .reference = reference_limit(),
-          .realtime = realtime};
+          .controlled = controlled_limit(),
+          .stepped = realtime};
 }
 
-Expectation dissipated(int at_frame, double truth, const std::string& quantity, const Limit& reference,
-                       const Limit& realtime) {
+Claim dissipated(int at_frame, double truth, const std::string& quantity, const Limit& reference,
+                 const Limit& realtime) {
   return {.quantity = quantity,
           .unit = "J",
           .truth = truth,
           .source = "L2: 4 mu N (A - mu N/K) a cycle, a quarter of it to the first extreme",
           .measure = {.kind = Measure::Kind::dissipated, .at = frame(at_frame)},
-          .reference = reference,
-          .realtime = realtime};
+          .controlled = reference,
+          .stepped = realtime};
 }
 
 /// The cubic spline through the hand, sampled at 2 kHz, is off by (ω Δ)⁴/384 of the amplitude. The real-time path's own
@@ -64,8 +64,7 @@ Limit exact_at_frames(double size, double slack) {
   return {.value = 1e-12 * size + slack,
           .reason =
               "no mass and a constant N: exact on frames but for rounding and the spline of the hand's sine, "
-              "(w D)^4/384 of it",
-          .resolution = 1e-14 * size + 0.1 * slack};
+              "(w D)^4/384 of it"};
 }
 
 Path swinging(double amplitude) {
@@ -75,7 +74,7 @@ Path swinging(double amplitude) {
 Run slipping_loop() {
   const closed_form::JenkinsLoop loop{.stiffness = total_stiffness, .normal_force = normal_force, .mu = 0.5};
   const double A = loop.amplitude, end = frame(50), yield = greatest_force(loop);
-  Run run{.name = "A = 4 mm yields", .scene = [=] {
+  Run run{.name = "A = 4 mm yields", .problem = [=] {
             return scene("G03 loop", {loop.mu, loop.mu}, 0, swinging(A), end);
           }};
   const double elastic = A * std::sin(frequency * frame(12));  // on the way back, before it yields
@@ -84,13 +83,13 @@ Run slipping_loop() {
   const Limit lost = exact_at_frames(first, 6 * yield * spline_error(A));
   const double back = A - reversal_distance(loop);
   const double hand_speed = frequency * std::sqrt(A * A - back * back);
-  run.expectations = {
+  run.claims = {
       force(10, yield, "force at +A", at_yield),
       force(12, returning_force(loop, elastic), "force after the reversal",
             exact_at_frames(yield, total_stiffness * spline_error(A))),
       force(30, -yield, "force at -A", at_yield),
-      dissipated(10, first, "loss to the first extreme", reference_limit(), lost),
-      dissipated(50, 5 * first, "loss after a full cycle more", reference_limit(), lost),
+      dissipated(10, first, "loss to the first extreme", controlled_limit(), lost),
+      dissipated(50, 5 * first, "loss after a full cycle more", controlled_limit(), lost),
       {.quantity = "displacement at the reversal's slip",
        .unit = "m",
        .truth = -back,  // of the object against the hand
@@ -99,11 +98,11 @@ Run slipping_loop() {
                    .event = EventKind::breakaway,
                    .occurrence = samples + 1,
                    .axis = along},
-       .reference = absolute_reference_limit(),
-       .realtime = {.value = spline_error(A),
-                    .per_substep = 1.3 * hand_speed,
-                    .reason = "shows at the end of its sub-step: times the hand's speed, which grows by up to 30 % "
-                              "until then"}}};
+       .controlled = absolute_controlled_limit(),
+       .stepped = {.value = spline_error(A),
+                   .per_step = 1.3 * hand_speed,
+                   .reason = "shows at the end of its sub-step: times the hand's speed, which grows by up to 30 % "
+                             "until then"}}};
   return run;
 }
 
@@ -111,11 +110,11 @@ Run elastic_loop() {
   const closed_form::JenkinsLoop loop{
       .stiffness = total_stiffness, .normal_force = normal_force, .mu = 0.5, .amplitude = 0.001};
   const double end = frame(50);
-  Run run{.name = "A = 1 mm stays elastic", .scene = [=] {
+  Run run{.name = "A = 1 mm stays elastic", .problem = [=] {
             return scene("G03 elastic", {loop.mu, loop.mu}, 0, swinging(loop.amplitude), end);
           }};
   const double largest = greatest_force(loop);
-  run.expectations = {
+  run.claims = {
       force(10, largest, "force at +A", exact_at_frames(largest, total_stiffness * spline_error(loop.amplitude))),
       force(50, largest, "force at +A, a cycle later",
             exact_at_frames(largest, total_stiffness * spline_error(loop.amplitude))),
@@ -129,7 +128,7 @@ Case jenkins_loop_case() {
   return {
       .id = "G03",
       .title = "Jenkins element: cyclic tangential displacement, hysteresis loop",
-      .level = "L2",
+      .truth_level = "L2",
       .statement =
           "A palm presses with 2 N on a block that is held fast and moves sideways as A sin(14.1 t); mu = 0.5.",
       .formula =
@@ -145,22 +144,22 @@ Case chatter_case() {
   constexpr double distance = 0.0201;
   const double end = frame(45), speed = distance / end;
   const Path path = [=](double t) -> Eigen::Vector3d { return speed * t * along; };
-  Run run{.name = "dragged by 20.1 mm", .scene = [=] { return scene("G12 drag", friction, -distance / 2, path, end); }};
+  Run run{.name = "dragged by 20.1 mm",
+          .problem = [=] { return scene("G12 drag", friction, -distance / 2, path, end); }};
   const double kinetic = friction.mu_dynamic * normal_force;
-  const Limit rounding{
-      .value = 1e-12, .reason = "no mass, constant N and a hand at constant speed: rounding", .resolution = 1e-14};
+  const Limit rounding{.value = 1e-12, .reason = "no mass, constant N and a hand at constant speed: rounding"};
   const double highest = friction.mu_static * normal_force;
   const double work = 0.5 * highest * highest / total_stiffness + kinetic * (distance - highest / total_stiffness);
   const double onset = friction.mu_static * normal_force / total_stiffness / speed;
-  run.expectations = {
+  run.claims = {
       force(2, total_stiffness * speed * frame(2), "force in stick, t = 2/90 s", rounding),
       {.quantity = "breakaway",
        .unit = "s",
        .truth = onset,
        .source = "L2: mu_s N/K of drag",
        .measure = {.kind = Measure::Kind::event_time, .event = EventKind::breakaway},
-       .reference = reference_limit(),
-       .realtime = event_limit()},
+       .controlled = controlled_limit(),
+       .stepped = event_limit()},
       force(10, kinetic, "force in slip, t = 1/9 s", rounding),
       force(31, kinetic, "force in slip, t = 31/90 s", rounding),
       force(45, kinetic, "force in slip, t = 0.5 s", rounding),
@@ -169,14 +168,14 @@ Case chatter_case() {
        .source = "L2: the state flag keeps slip until the anchor stands; without one 75 times as many (saw-tooth of "
                  "period (mu_s - mu_d) N/K)",
        .measure = {.kind = Measure::Kind::event_count, .event = EventKind::breakaway},
-       .reference = exact_limit(),
-       .realtime = exact_limit()},
+       .controlled = exact_limit(),
+       .stepped = exact_limit()},
       {.quantity = "never sticks again",
        .truth = 1,
        .source = "L2: as above",
        .measure = {.kind = Measure::Kind::no_event, .event = EventKind::restick},
-       .reference = exact_limit(),
-       .realtime = exact_limit()},
+       .controlled = exact_limit(),
+       .stepped = exact_limit()},
       {.quantity = "loss",
        .unit = "J",
        .truth = work - 0.5 * kinetic * kinetic / total_stiffness,
@@ -184,17 +183,17 @@ Case chatter_case() {
            "L2: work of the hand, mu_s^2 N^2/(2 K) + mu_d N (D - mu_s N/K), less the energy mu_d^2 N^2/(2 K) that "
            "the springs keep",
        .measure = {.kind = Measure::Kind::dissipated, .at = end},
-       .reference = reference_limit(),
-       .realtime = {.value = 0.5 * (highest - kinetic) * (highest - kinetic) / total_stiffness,
-                    .per_substep = (highest - kinetic) * speed,
-                    .reason =
-                        "the implicit step goes to the kinetic lag at once, which leaves (mu_s - mu_d)^2 N^2/(2 K) "
-                        "out of the book, and does so up to one sub-step early: times the drop of the force and "
-                        "the hand's speed"}}};
+       .controlled = controlled_limit(),
+       .stepped = {.value = 0.5 * (highest - kinetic) * (highest - kinetic) / total_stiffness,
+                   .per_step = (highest - kinetic) * speed,
+                   .reason =
+                       "the implicit step goes to the kinetic lag at once, which leaves (mu_s - mu_d)^2 N^2/(2 K) "
+                       "out of the book, and does so up to one sub-step early: times the drop of the force and "
+                       "the hand's speed"}}};
   return {
       .id = "G12",
       .title = "Slip with a state flag does not chatter between the cones",
-      .level = "L2",
+      .truth_level = "L2",
       .statement = "A palm presses with 2 N on a block that is held fast and drags by 20.1 mm; mu_s = 0.5, mu_d = 0.4.",
       .formula =
           "with a flag F = mu_d N while sliding; a law that tests the mu_s cone every step makes a saw-tooth "

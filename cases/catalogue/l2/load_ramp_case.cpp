@@ -1,4 +1,4 @@
-#include "cases/catalogue/builders/slider_expectations.hpp"
+#include "cases/catalogue/builders/slider_claims.hpp"
 #include "cases/catalogue/builders/slider_scenes.hpp"
 #include "cases/catalogue/families.hpp"
 
@@ -23,16 +23,16 @@ closed_form::SliderOscillator ramp() {
 Case load_ramp_case() {
   const auto o = ramp();
   const double end = 65.0 / 90;
-  const SliderExpectations expect(o, end, along, samples);
-  Run run{.name = "pulled", .scene = [=] { return palm_scene("C04 load ramp", o, {.samples = samples}, end); }};
-  Expectation slip = expect.slip(end, "slip at t = 65/90 s");
+  const SliderClaims expect(o, end, along, samples);
+  Run run{.name = "pulled", .problem = [=] { return palm_scene("C04 load ramp", o, {.samples = samples}, end); }};
+  Claim slip = expect.slip(end, "slip at t = 65/90 s");
   slip.converges = true;
-  run.expectations = {expect.breakaway(1, "onset"), slip, expect.speed(end, "speed at t = 65/90 s")};
+  run.claims = {expect.breakaway(1, "onset"), slip, expect.speed(end, "speed at t = 65/90 s")};
   run.curve = expect.curve("slip [m]");
   return {
       .id = "C04",
       .title = "Breakaway under a linear load ramp",
-      .level = "L2",
+      .truth_level = "L2",
       .statement = "A 0.2 kg block on a palm is pulled with F = r t, r = 2.0 N/s; mu_s = 0.6, mu_d = 0.4.",
       .formula =
           "t_s = mu_s m g / r; L1: x = (mu_s - mu_d) g tau^2 / 2 + r tau^3 / (6 m); L2: + the springs' own r t / K "

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "cases/catalogue/builders/slider_expectations.hpp"
+#include "cases/catalogue/builders/slider_claims.hpp"
 #include "cases/catalogue/builders/slider_scenes.hpp"
 #include "cases/catalogue/families.hpp"
 
@@ -20,13 +20,13 @@ closed_form::SliderOscillator caught(double mass, double speed) {
 Run slipping_run() {
   const auto o = caught(0.2, 0.2);
   const double end = 9.0 / 90;
-  const SliderExpectations expect(o, end, up, samples);
-  Run run{.name = "V = 0.2 m/s slips", .scene = [=] { return pinch_scene("G04 catch", o, end); }};
-  run.expectations = {expect.breakaway(1, "slip onset"), expect.restick(1, "end of slip"),
-                      expect.slip_at_restick(1, "lag behind the hand then"), expect.slip(end, "lag at t = 0.1 s")};
+  const SliderClaims expect(o, end, up, samples);
+  Run run{.name = "V = 0.2 m/s slips", .problem = [=] { return pinch_scene("G04 catch", o, end); }};
+  run.claims = {expect.breakaway(1, "slip onset"), expect.restick(1, "end of slip"),
+                expect.slip_at_restick(1, "lag behind the hand then"), expect.slip(end, "lag at t = 0.1 s")};
   const double frequency = std::sqrt(o.stiffness / o.mass);
   const double pull = o.friction.mu_dynamic * o.normal_force.constant / o.mass;
-  run.expectations[1].reference = absolute_reference_limit(
+  run.claims[1].controlled = absolute_controlled_limit(
       1 + frequency / pull, "the oscillation's speed is known to w times its place; over the acceleration");
   run.curve = expect.curve("object - hand [m]");
   return run;
@@ -35,15 +35,15 @@ Run slipping_run() {
 Run sticking_run() {
   const auto o = caught(0.05, 0.1);
   const double end = 6.0 / 90;
-  const SliderExpectations expect(o, end, up, samples);
-  Run run{.name = "V = 0.1 m/s, m = 50 g sticks", .scene = [=] { return pinch_scene("G04 gentle catch", o, end); }};
-  run.expectations = {expect.slip(1.0 / 90, "lag at t = 1/90 s"), expect.slip(end, "lag at t = 1/15 s")};
-  run.expectations.push_back({.quantity = "sticks",
-                              .truth = 1,
-                              .source = "L2: V sqrt(K m) = 0.632 N <= mu_s N = 0.9 N",
-                              .measure = {.kind = Measure::Kind::no_event, .event = EventKind::breakaway},
-                              .reference = exact_limit(),
-                              .realtime = exact_limit()});
+  const SliderClaims expect(o, end, up, samples);
+  Run run{.name = "V = 0.1 m/s, m = 50 g sticks", .problem = [=] { return pinch_scene("G04 gentle catch", o, end); }};
+  run.claims = {expect.slip(1.0 / 90, "lag at t = 1/90 s"), expect.slip(end, "lag at t = 1/15 s")};
+  run.claims.push_back({.quantity = "sticks",
+                        .truth = 1,
+                        .source = "L2: V sqrt(K m) = 0.632 N <= mu_s N = 0.9 N",
+                        .measure = {.kind = Measure::Kind::no_event, .event = EventKind::breakaway},
+                        .controlled = exact_limit(),
+                        .stepped = exact_limit()});
   run.curve = expect.curve("object - hand [m]");
   return run;
 }
@@ -53,7 +53,7 @@ Run sticking_run() {
 Case moving_catch_case() {
   return {.id = "G04",
           .title = "Fingertips at speed V catch a free block: compliant start",
-          .level = "L2",
+          .truth_level = "L2",
           .statement = "Two fingers that move at V grip a free 0.2 kg block; N = 1.5 N in all, mu_s = 0.6, mu_d = 0.4.",
           .formula =
               "no slip iff V sqrt(K m) <= mu_s N: e = V/w sin w t; else slips at sin(w t1) = mu_s N/(V sqrt(K m)), "

@@ -16,7 +16,7 @@ const Eigen::Vector3d normal = Eigen::Vector3d::UnitY();
 Limit late_limit(const closed_form::ShakenPinch& p, double size) {
   const double square = 2 * p.stiffness / p.mass;
   const double late = p.frequency * square / (square - p.frequency * p.frequency);
-  return {.per_substep = 2.04 * size * late,
+  return {.per_step = 2.04 * size * late,
           .reason =
               "the implicit step answers late by w h W^2/(W^2 - w^2) of phase and rings from the start by as much, + "
               "2 %"};
@@ -27,29 +27,29 @@ Run steady_run() {
   const closed_form::ShakenPinch p{.frequency = std::numbers::pi / 2 * 90 / 4};
   const double end = 33.0 / 90, peak = 4.0 / 90;
   const double Z = relative_amplitude(p), swing = p.stiffness * Z;
-  Run run{.name = "A = 4 mm", .scene = [=] { return normal_shake_scene(p, {1, 1}, 0, end); }};
+  Run run{.name = "A = 4 mm", .problem = [=] { return normal_shake_scene(p, {1, 1}, 0, end); }};
   const auto z_at = [&](double t, const std::string& quantity) {
-    return Expectation{.quantity = quantity,
-                       .unit = "m",
-                       .truth = relative_displacement(p, t),
-                       .source = "L2: z = Z sin w t, Z = A w^2/(2 K/m - w^2)",
-                       .measure = {.kind = Measure::Kind::displacement, .axis = normal, .at = t},
-                       .reference = reference_limit(10, "z is a tenth of the motion of hand and object"),
-                       .realtime = late_limit(p, Z)};
+    return Claim{.quantity = quantity,
+                 .unit = "m",
+                 .truth = relative_displacement(p, t),
+                 .source = "L2: z = Z sin w t, Z = A w^2/(2 K/m - w^2)",
+                 .measure = {.kind = Measure::Kind::displacement, .axis = normal, .at = t},
+                 .controlled = controlled_limit(10, "z is a tenth of the motion of hand and object"),
+                 .stepped = late_limit(p, Z)};
   };
   const auto force_at = [&](int finger, double truth, const std::string& quantity) {
     const Eigen::Vector3d push = finger == thumb ? normal : Eigen::Vector3d(-normal);
-    return Expectation{.quantity = quantity,
-                       .unit = "N",
-                       .truth = truth,
-                       .source = "L2: K (d0 -+ z)",
-                       .measure = {.kind = Measure::Kind::force, .axis = push, .at = peak, .phalanx = finger},
-                       .reference = reference_limit(10, "z is a tenth of the motion of hand and object"),
-                       .realtime = late_limit(p, swing)};
+    return Claim{.quantity = quantity,
+                 .unit = "N",
+                 .truth = truth,
+                 .source = "L2: K (d0 -+ z)",
+                 .measure = {.kind = Measure::Kind::force, .axis = push, .at = peak, .phalanx = finger},
+                 .controlled = controlled_limit(10, "z is a tenth of the motion of hand and object"),
+                 .stepped = late_limit(p, swing)};
   };
-  run.expectations = {z_at(peak, "Z, at t = 4/90 s"), z_at(end, "z at t = 33/90 s"),
-                      force_at(thumb, p.stiffness * (p.preload - Z), "least normal force"),
-                      force_at(index_finger, p.stiffness * (p.preload + Z), "greatest normal force")};
+  run.claims = {z_at(peak, "Z, at t = 4/90 s"), z_at(end, "z at t = 33/90 s"),
+                force_at(thumb, p.stiffness * (p.preload - Z), "least normal force"),
+                force_at(index_finger, p.stiffness * (p.preload + Z), "greatest normal force")};
   run.curve = Curve{"object - hand [m]", {.kind = Measure::Kind::displacement, .axis = normal}, [p](double t) {
                       return relative_displacement(p, t);
                     }};
@@ -66,15 +66,15 @@ closed_form::ShakenPinch slow(double amplitude_share) {
 Run contact_run(double share) {
   const closed_form::ShakenPinch p = slow(share);
   const double end = 0.9;
-  Run run{.name = fmt::format("{} of the threshold", share), .scene = [=] {
+  Run run{.name = fmt::format("{} of the threshold", share), .problem = [=] {
             return normal_shake_scene(p, {1, 1}, 0, end);
           }};
-  run.expectations = {{.quantity = "keeps touch",
-                       .truth = share < 1 ? 1.0 : 0.0,
-                       .source = "L2: iff Z <= d0, A <= d0 |2 K/m - w^2|/w^2",
-                       .measure = {.kind = Measure::Kind::no_event, .event = EventKind::release},
-                       .reference = exact_limit(),
-                       .realtime = exact_limit()}};
+  run.claims = {{.quantity = "keeps touch",
+                 .truth = share < 1 ? 1.0 : 0.0,
+                 .source = "L2: iff Z <= d0, A <= d0 |2 K/m - w^2|/w^2",
+                 .measure = {.kind = Measure::Kind::no_event, .event = EventKind::release},
+                 .controlled = exact_limit(),
+                 .stepped = exact_limit()}};
   return run;
 }
 
@@ -84,7 +84,7 @@ Case normal_shake_case() {
   return {
       .id = "G11",
       .title = "Pinch shaken along the normals: relative motion and normal forces",
-      .level = "L2",
+      .truth_level = "L2",
       .statement = "Two fingers hold a 0.2 kg cube, 3 mm deep each, and move as 4 mm sin(35.3 t) along their normals.",
       .formula = "z = Z sin w t, Z = A w^2/(2 K/m - w^2); N = K (d0 -+ z), their sum 2 K d0; touch is kept iff Z <= d0",
       .note =

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "cases/catalogue/builders/slider_expectations.hpp"
+#include "cases/catalogue/builders/slider_claims.hpp"
 #include "cases/catalogue/builders/slider_scenes.hpp"
 #include "cases/catalogue/families.hpp"
 
@@ -31,19 +31,19 @@ closed_form::SliderOscillator carried() {
 Case oscillating_palm_case() {
   const auto o = carried();
   const double end = 0.7;
-  const SliderExpectations expect(o, end, along, samples);
+  const SliderClaims expect(o, end, along, samples);
   Run run{.name = "slides to and fro",
-          .scene = [=] { return palm_scene("C09 oscillating palm", o, {.samples = samples}, end); }};
-  run.expectations = {expect.restick(1, "first reversal"),
-                      expect.breakaway(1, "slides the other way"),
-                      expect.restick(2, "second reversal"),
-                      expect.slip_at_restick(2, "place at the second reversal"),
-                      expect.slip(42.0 / 90, "place at t = 42/90 s"),
-                      expect.slip(60.0 / 90, "place at t = 2/3 s")};
+          .problem = [=] { return palm_scene("C09 oscillating palm", o, {.samples = samples}, end); }};
+  run.claims = {expect.restick(1, "first reversal"),
+                expect.breakaway(1, "slides the other way"),
+                expect.restick(2, "second reversal"),
+                expect.slip_at_restick(2, "place at the second reversal"),
+                expect.slip(42.0 / 90, "place at t = 42/90 s"),
+                expect.slip(60.0 / 90, "place at t = 2/3 s")};
   run.curve = expect.curve("slip [m]");
   return {.id = "C09",
           .title = "Object on a horizontally oscillating palm",
-          .level = "L2",
+          .truth_level = "L2",
           .statement = "A 0.2 kg block lies on a palm that moves as 50 mm sin(20 t); mu = 0.4.",
           .formula =
               "L1: slides all the time if (A w^2)^2 >= (mu g)^2 (1 + pi^2/4); its speed is a triangle wave of height "

@@ -1,7 +1,7 @@
 // C06, C07 and C08: a block on a palm, tied by the spring that two opposite fingers make.
 #include <numbers>
 
-#include "cases/catalogue/builders/slider_expectations.hpp"
+#include "cases/catalogue/builders/slider_claims.hpp"
 #include "cases/catalogue/builders/slider_scenes.hpp"
 #include "cases/catalogue/families.hpp"
 
@@ -21,7 +21,7 @@ closed_form::SliderOscillator tied(const Friction& friction) {
 }
 
 Run run_of(const std::string& name, const closed_form::SliderOscillator& o, double finger_depth, double end) {
-  return {.name = name, .scene = [=] { return palm_scene(name, o, {samples, finger_depth}, end); }};
+  return {.name = name, .problem = [=] { return palm_scene(name, o, {samples, finger_depth}, end); }};
 }
 
 }  // namespace
@@ -32,20 +32,20 @@ Case friction_oscillator_case() {
   o.direction = -1;
   o.stretch = -o.friction.mu_static * o.normal_force.constant / o.stiffness;  // just broken away
   const double end = 0.8;
-  const SliderExpectations expect(o, end, along, samples);
+  const SliderClaims expect(o, end, along, samples);
   Run run = run_of("let go", o, 0.024, end);
-  run.expectations = {expect.restick(1, "first turn"),
-                      expect.slip_at_restick(1, "way to the first turn"),
-                      expect.breakaway(1, "way back begins"),
-                      expect.restick(2, "second turn"),
-                      expect.slip_at_restick(2, "way to the second turn"),
-                      expect.restick(3, "stops for good"),
-                      expect.slip_at_restick(3, "way to the stop"),
-                      expect.slip(end, "rest, t = 0.8 s")};
+  run.claims = {expect.restick(1, "first turn"),
+                expect.slip_at_restick(1, "way to the first turn"),
+                expect.breakaway(1, "way back begins"),
+                expect.restick(2, "second turn"),
+                expect.slip_at_restick(2, "way to the second turn"),
+                expect.restick(3, "stops for good"),
+                expect.slip_at_restick(3, "way to the stop"),
+                expect.slip(end, "rest, t = 0.8 s")};
   run.curve = expect.curve("way [m]");
   return {.id = "C06",
           .title = "Free oscillator with Coulomb friction",
-          .level = "L2",
+          .truth_level = "L2",
           .statement =
               "A 0.2 kg block on a palm, tied by a spring of 50 N/m, is let go 20 mm off; mu_s = 0.12, mu_d = 0.075.",
           .formula =
@@ -61,18 +61,18 @@ Case forced_oscillator_case() {
   auto o = tied({0.1, 0.1});
   o.force = {.amplitude = 0.5, .frequency = 10, .phase = std::numbers::pi / 2};
   const double end = 1.5;
-  const SliderExpectations expect(o, end, along, samples);
+  const SliderClaims expect(o, end, along, samples);
   Run run = run_of("shaken", o, 0.026, end);
-  run.expectations = {expect.breakaway(1, "first onset"),
-                      expect.restick(1, "first turn"),
-                      expect.slip_at_restick(1, "way to the first turn"),
-                      expect.restick(4, "fourth turn"),
-                      expect.slip_at_restick(4, "way to the fourth turn"),
-                      expect.slip(end, "place at t = 1.5 s")};
+  run.claims = {expect.breakaway(1, "first onset"),
+                expect.restick(1, "first turn"),
+                expect.slip_at_restick(1, "way to the first turn"),
+                expect.restick(4, "fourth turn"),
+                expect.slip_at_restick(4, "way to the fourth turn"),
+                expect.slip(end, "place at t = 1.5 s")};
   run.curve = expect.curve("way [m]");
   return {.id = "C07",
           .title = "Den Hartog: forced oscillator with dry friction",
-          .level = "L2",
+          .truth_level = "L2",
           .statement =
               "A 0.2 kg block on a palm, tied by a spring of 50 N/m, at rest; from t = 0 a force 0.5 N cos(10 t) acts; "
               "mu = 0.1.",
@@ -88,19 +88,19 @@ Case belt_case() {
   o.base.rate = 0.05;
   start_in_forced_stick(o);
   const double end = 1.35;
-  const SliderExpectations expect(o, end, along, samples);
+  const SliderClaims expect(o, end, along, samples);
   Run run = run_of("stick-slip", o, 0.03, end);
-  run.expectations = {expect.breakaway(1, "first breakaway"),
-                      expect.restick(1, "first re-stick"),
-                      expect.slip_at_restick(1, "slip against the belt at the first re-stick"),
-                      expect.breakaway(2, "second breakaway"),
-                      expect.restick(2, "second re-stick"),
-                      expect.slip(120.0 / 90, "slip against the belt at t = 4/3 s")};
+  run.claims = {expect.breakaway(1, "first breakaway"),
+                expect.restick(1, "first re-stick"),
+                expect.slip_at_restick(1, "slip against the belt at the first re-stick"),
+                expect.breakaway(2, "second breakaway"),
+                expect.restick(2, "second re-stick"),
+                expect.slip(120.0 / 90, "slip against the belt at t = 4/3 s")};
   run.curve = expect.curve("slip against the belt [m]");
   return {
       .id = "C08",
       .title = "Stick-slip oscillator on a belt",
-      .level = "L2",
+      .truth_level = "L2",
       .statement =
           "A 0.2 kg block, tied by a spring of 50 N/m, on a palm that moves with 50 mm/s; mu_s = 0.6, mu_d = 0.4.",
       .formula =

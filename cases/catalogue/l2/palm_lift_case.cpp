@@ -40,34 +40,34 @@ double relative_height(const closed_form::PalmLift& l, double t) {
 Run flight_run() {
   const closed_form::PalmLift l = lift(0.05);
   const double duration = 24.0 / 90;  // just past the landing
-  Run run{.name = "leaves and lands", .scene = [=] { return scene(l, duration); }};
+  Run run{.name = "leaves and lands", .problem = [=] { return scene(l, duration); }};
   const double flight = landing(l) - lift_off(l);
   const double closing_acceleration = l.gravity - l.amplitude * 18 * 18 * std::sin(18 * landing(l));
-  run.expectations = {
+  run.claims = {
       {.quantity = "lift-off",
        .unit = "s",
        .truth = lift_off(l),
        .source = "L2: sin(w t1) = g/(A w^2) (1 - w^2/W^2), W^2 = K/m",
        .measure = {.kind = Measure::Kind::event_time, .event = EventKind::release},
-       .reference = reference_limit(10, slow_crossing),
-       .realtime = event_limit(
+       .controlled = controlled_limit(10, slow_crossing),
+       .stepped = event_limit(
            3.25, "the implicit step loads the springs one step late, and rings from the start by 1.25 as much")},
       {.quantity = "landing",
        .unit = "s",
        .truth = landing(l),
        .source = "L2: root of flight(t) = A sin w t",
        .measure = {.kind = Measure::Kind::event_time, .event = EventKind::touch},
-       .reference = reference_limit(),
-       .realtime = event_limit(1 + 1.5 * l.gravity * flight / -landing_speed(l),
-                               "the height is off by up to 1.5 g h over the flight")},
+       .controlled = controlled_limit(),
+       .stepped = event_limit(1 + 1.5 * l.gravity * flight / -landing_speed(l),
+                              "the height is off by up to 1.5 g h over the flight")},
       {.quantity = "landing speed",
        .unit = "m/s",
        .truth = landing_speed(l),
        .source = "L2: y' - A w cos w t at the landing",
        .measure = {.kind = Measure::Kind::speed, .event = EventKind::touch, .axis = up},
-       .reference = reference_limit(10, slow_crossing),
-       .realtime = {
-           .per_substep = 2 * closing_acceleration,
+       .controlled = controlled_limit(10, slow_crossing),
+       .stepped = {
+           .per_step = 2 * closing_acceleration,
            .reason =
                "launched and landed up to one sub-step late each, times the closing acceleration; at frames longer "
                "than 1/90 s the hand's path between frames adds to it and the gate fails"}}};
@@ -82,16 +82,16 @@ Run order_run() {
   const closed_form::PalmLift l = lift(0.05, soft);
   const double mid = 12.0 / 90;  // in flight, on a frame
   const double flown = mid - lift_off(l);
-  Run run{.name = "leaves, k = 100 N/m", .scene = [=] { return scene(l, mid); }};
-  run.expectations = {
+  Run run{.name = "leaves, k = 100 N/m", .problem = [=] { return scene(l, mid); }};
+  run.claims = {
       {.quantity = "height above the hand at t = 2/15 s",
        .unit = "m",
        .truth = relative_height(l, mid),
        .source = "L2: flight from lift-off, less A sin w t",
        .measure = {.kind = Measure::Kind::displacement, .axis = up, .at = mid},
-       .reference = reference_limit(),
-       .realtime = {.per_substep = 1.5 * l.gravity * flown,
-                    .reason = "launch speed off by up to g h, over the flight, + half a sub-step of bias (R03)"},
+       .controlled = controlled_limit(),
+       .stepped = {.per_step = 1.5 * l.gravity * flown,
+                   .reason = "launch speed off by up to g h, over the flight, + half a sub-step of bias (R03)"},
        .converges = true}};
   return run;
 }
@@ -102,13 +102,13 @@ Run threshold_run(double share) {
   const double softness = l.frequency * l.frequency * l.mass / l.stiffness;
   l.amplitude = share * l.gravity * (1 - softness) / (l.frequency * l.frequency);
   const double duration = 0.7;
-  Run run{.name = fmt::format("{} of the threshold", share), .scene = [=] { return scene(l, duration); }};
-  run.expectations = {{.quantity = "stays on the hand",
-                       .truth = leaves(l) ? 0.0 : 1.0,
-                       .source = "L2: leaves iff A w^2 > g (1 - w^2/W^2)",
-                       .measure = {.kind = Measure::Kind::no_event, .event = EventKind::release},
-                       .reference = exact_limit(),
-                       .realtime = exact_limit()}};
+  Run run{.name = fmt::format("{} of the threshold", share), .problem = [=] { return scene(l, duration); }};
+  run.claims = {{.quantity = "stays on the hand",
+                 .truth = leaves(l) ? 0.0 : 1.0,
+                 .source = "L2: leaves iff A w^2 > g (1 - w^2/W^2)",
+                 .measure = {.kind = Measure::Kind::no_event, .event = EventKind::release},
+                 .controlled = exact_limit(),
+                 .stepped = exact_limit()}};
   return run;
 }
 
@@ -118,7 +118,7 @@ Case palm_lift_case() {
   return {
       .id = "D13",
       .title = "Palm lift: contact loss and landing under vertical oscillation",
-      .level = "L2",
+      .truth_level = "L2",
       .statement = "A 0.2 kg cube rests on a flat hand that moves up and down as y = 50 mm sin(18 t).",
       .formula =
           "L1: leaves iff A w^2 > g, sin(w t1) = g/(A w^2), lands where the flight meets A sin w t. "

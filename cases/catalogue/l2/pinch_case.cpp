@@ -42,16 +42,16 @@ Scene scene(const closed_form::Pinch& p, double duration, bool sliding) {
 Run slipping_run() {
   const closed_form::Pinch p = pinch(2);
   const double t = 0.1;
-  Run run{.name = "N = 2 N slips", .scene = [=] { return scene(p, t, true); }};
+  Run run{.name = "N = 2 N slips", .problem = [=] { return scene(p, t, true); }};
   const double change = 2 * slip(p, t) / t - p.acceleration * t;  // of the object's own speed; the hand's path is exact
-  run.expectations = {{.quantity = "slip after 0.1 s",
-                       .unit = "m",
-                       .truth = slip(p, t),
-                       .source = "L1 = L2: (g + a - 2 mu_d N / m) T^2 / 2",
-                       .measure = {.kind = Measure::Kind::displacement, .axis = down, .at = t},
-                       .reference = reference_limit(),
-                       .realtime = euler_bias_limit(change),
-                       .converges = true}};
+  run.claims = {{.quantity = "slip after 0.1 s",
+                 .unit = "m",
+                 .truth = slip(p, t),
+                 .source = "L1 = L2: (g + a - 2 mu_d N / m) T^2 / 2",
+                 .measure = {.kind = Measure::Kind::displacement, .axis = down, .at = t},
+                 .controlled = controlled_limit(),
+                 .stepped = euler_bias_limit(change),
+                 .converges = true}};
   run.curve =
       Curve{"slip [m]", {.kind = Measure::Kind::displacement, .axis = down}, [p](double s) { return slip(p, s); }};
   return run;
@@ -63,13 +63,13 @@ Run threshold_run(double share) {
   const closed_form::Pinch p = pinch(share * critical);
   const double duration = 11.0 / 90;  // at 0.98 it slips 17 mm of the 31 mm that the fingers have
   const double level = 0.5 * slip(pinch(0.98 * critical), duration);
-  Run run{.name = fmt::format("{} of the threshold", share), .scene = [=] { return scene(p, duration, false); }};
-  run.expectations = {{.quantity = "holds",
-                       .truth = holds(p) ? 1.0 : 0.0,
-                       .source = "L1 = L2: n mu_s N >= m (g + a)",
-                       .measure = {.kind = Measure::Kind::held, .axis = down, .level = level},
-                       .reference = exact_limit(),
-                       .realtime = exact_limit()}};
+  Run run{.name = fmt::format("{} of the threshold", share), .problem = [=] { return scene(p, duration, false); }};
+  run.claims = {{.quantity = "holds",
+                 .truth = holds(p) ? 1.0 : 0.0,
+                 .source = "L1 = L2: n mu_s N >= m (g + a)",
+                 .measure = {.kind = Measure::Kind::held, .axis = down, .level = level},
+                 .controlled = exact_limit(),
+                 .stepped = exact_limit()}};
   return run;
 }
 
@@ -79,7 +79,7 @@ Case pinch_case() {
   return {
       .id = "D01",
       .title = "Pinch hold threshold under vertical hand acceleration",
-      .level = "L1",
+      .truth_level = "L1",
       .statement =
           "A 0.2 kg cube between thumb and index, each pressing with N; the hand accelerates up with 1 m/s^2; "
           "mu_s = 0.5, mu_d = 0.4.",

@@ -46,38 +46,38 @@ Scene scene(const closed_form::PinchOpening& o, double duration) {
 Run catalogue_run() {
   const closed_form::PinchOpening o = opening(1.5);
   const double end = 0.2;
-  Run run{.name = "opens", .scene = [=] { return scene(o, end); }};
+  Run run{.name = "opens", .problem = [=] { return scene(o, end); }};
   const double opened = 14.0 / 90;  // the first frame with empty fingers
-  run.expectations = {
+  run.claims = {
       {.quantity = "slip onset",
        .unit = "s",
        .truth = slip_onset(o),
        .source = "L1 = L2: t_s = (N0 - m g / (2 mu_s)) / r",
        .measure = {.kind = Measure::Kind::event_time, .event = EventKind::breakaway},
-       .reference = reference_limit(),
-       .realtime = event_limit()},
+       .controlled = controlled_limit(),
+       .stepped = event_limit()},
       {.quantity = "release",
        .unit = "s",
        .truth = open_time(o),
        .source = "L1 = L2: t_open = N0 / r",
        .measure = {.kind = Measure::Kind::event_time, .event = EventKind::release},
-       .reference = reference_limit(),
-       .realtime = event_limit()},
+       .controlled = controlled_limit(),
+       .stepped = event_limit()},
       {.quantity = "fall just after the fingers open",
        .unit = "m",
        .truth = fall(o, opened),
        .source = "L1 = L2: g (1 - mu_d/mu_s) tau^2/2 + mu_d r tau^3/(3 m)",
        .measure = {.kind = Measure::Kind::displacement, .axis = down, .at = opened},
-       .reference = reference_limit(),
-       .realtime = {.per_substep = 1.51 * fall_speed(o, opened),
-                    .reason = "onset seen up to one sub-step late, times the speed, + half a sub-step of bias (R03)"}},
+       .controlled = controlled_limit(),
+       .stepped = {.per_step = 1.51 * fall_speed(o, opened),
+                   .reason = "onset seen up to one sub-step late, times the speed, + half a sub-step of bias (R03)"}},
       {.quantity = "fall at t = 0.2 s",
        .unit = "m",
        .truth = fall(o, end),
        .source = "L1 = L2, free fall after t_open",
        .measure = {.kind = Measure::Kind::displacement, .axis = down, .at = end},
-       .reference = reference_limit(),
-       .realtime = {.per_substep = 1.51 * fall_speed(o, end), .reason = "as above, at the speed of the end"}}};
+       .controlled = controlled_limit(),
+       .stepped = {.per_step = 1.51 * fall_speed(o, end), .reason = "as above, at the speed of the end"}}};
   run.curve =
       Curve{"fall [m]", {.kind = Measure::Kind::displacement, .axis = down}, [o](double t) { return fall(o, t); }};
   return run;
@@ -86,16 +86,16 @@ Run catalogue_run() {
 Run order_run() {
   const closed_form::PinchOpening o = opening_on_frame();
   const double t = 12.0 / 90;  // slipping, fingers not yet open
-  Run run{.name = "opens, onset on a frame", .scene = [=] { return scene(o, t); }};
-  run.expectations = {{.quantity = "fall at t = 2/15 s",
-                       .unit = "m",
-                       .truth = fall(o, t),
-                       .source = "L1 = L2, as above",
-                       .measure = {.kind = Measure::Kind::displacement, .axis = down, .at = t},
-                       .reference = reference_limit(),
-                       .realtime = {.per_substep = 1.51 * fall_speed(o, t),
-                                    .reason = "onset seen up to one sub-step late, + half a sub-step of bias (R03)"},
-                       .converges = true}};
+  Run run{.name = "opens, onset on a frame", .problem = [=] { return scene(o, t); }};
+  run.claims = {{.quantity = "fall at t = 2/15 s",
+                 .unit = "m",
+                 .truth = fall(o, t),
+                 .source = "L1 = L2, as above",
+                 .measure = {.kind = Measure::Kind::displacement, .axis = down, .at = t},
+                 .controlled = controlled_limit(),
+                 .stepped = {.per_step = 1.51 * fall_speed(o, t),
+                             .reason = "onset seen up to one sub-step late, + half a sub-step of bias (R03)"},
+                 .converges = true}};
   return run;
 }
 
@@ -105,7 +105,7 @@ Case pinch_opening_case() {
   return {
       .id = "D02",
       .title = "Pinch opening on a linear ramp: slip onset and fall",
-      .level = "L1",
+      .truth_level = "L1",
       .statement = "A 50 g cube between thumb and index; N(t) = 1.5 N - 10 N/s t; mu_s = 0.8, mu_d = 0.4.",
       .formula =
           "t_s = (N0 - m g / (2 mu_s)) / r; z = g (1 - mu_d/mu_s) tau^2/2 + mu_d r tau^3/(3 m); free fall from N0 / r",

@@ -67,7 +67,7 @@ void add_rings(PlanarSlide& s, double torque) {
 Limit swing_limit(double t, double spin, double first_spin) {
   const double second_order = 2 * start * std::pow(frequency / 360, 2) * (0.125 + frequency * t / 24);
   return {.value = second_order,
-          .per_substep = 0.51 * (std::abs(spin) + std::abs(first_spin)),
+          .per_step = 0.51 * (std::abs(spin) + std::abs(first_spin)),
           .reason =
               "half a sub-step times the spin now and at the start (R03), + twice leapfrog's (w h)^2 (1/8 + w t/24) of "
               "the swing at the "
@@ -76,7 +76,7 @@ Limit swing_limit(double t, double spin, double first_spin) {
 
 const std::string source = "L2: pendulum on a spring pivot by GSL; 1e-11 against 1e-13 a step agrees to 1e-12";
 
-Expectation angle_at(const PlanarSlide& s, int frame, bool converges) {
+Claim angle_at(const PlanarSlide& s, int frame, bool converges) {
   const double t = frame / 90.0;
   const PlanarState now = planar_state(s, t);
   return {.quantity = fmt::format("turn by t = {}/90 s", frame),
@@ -85,8 +85,8 @@ Expectation angle_at(const PlanarSlide& s, int frame, bool converges) {
           .pedigree = Pedigree::converged,
           .source = source,
           .measure = {.kind = Measure::Kind::rotation, .axis = axis, .at = t},
-          .reference = absolute_reference_limit(),
-          .realtime = swing_limit(t, now.spin, s.spin),
+          .controlled = absolute_controlled_limit(),
+          .stepped = swing_limit(t, now.spin, s.spin),
           .converges = converges};
 }
 
@@ -94,8 +94,8 @@ Run free_run() {
   const PlanarSlide s = pendulum(start, 0, 0);
   const double end = 56.0 / 90;  // nearly a period of 0.6231 s
   Run run{.name = "point pinch swings",
-          .scene = [=] { return planar_scene("F03 point pinch", s, layout(friction), end); }};
-  run.expectations = {angle_at(s, 9, true), angle_at(s, 28, false), angle_at(s, 56, false)};
+          .problem = [=] { return planar_scene("F03 point pinch", s, layout(friction), end); }};
+  run.claims = {angle_at(s, 9, true), angle_at(s, 28, false), angle_at(s, 56, false)};
   run.curve = Curve{"turn [rad]", {.kind = Measure::Kind::rotation, .axis = axis}, [s](double t) {
                       return planar_state(s, t).angle - s.angle;
                     }};
@@ -109,28 +109,28 @@ Run braked_run() {
   const PlanarState stop = first_restick(s, 0.6);
   const double end = 32.0 / 90;
   Run run{.name = "friction torque brakes",
-          .scene = [=] { return planar_scene("F03 ring pinch", s, layout(friction), end); }};
+          .problem = [=] { return planar_scene("F03 ring pinch", s, layout(friction), end); }};
   Limit turned = swing_limit(stop.t, 0, 0);
   turned.value += 0.5 * (mass * gravity * arm + torque) / pivot_inertia / (360 * 360);
   turned.reason += "; + the turn in a sub-step at the most torque";
-  run.expectations = {angle_at(s, 9, true),
-                      angle_at(s, 22, false),
-                      {.quantity = "end of the first swing",
-                       .unit = "s",
-                       .truth = stop.t,
-                       .pedigree = Pedigree::converged,
-                       .source = source,
-                       .measure = {.kind = Measure::Kind::event_time, .event = EventKind::restick},
-                       .reference = absolute_reference_limit(),
-                       .realtime = event_limit(2, "the spin is off by up to a sub-step of acceleration")},
-                      {.quantity = "turn in the first swing",
-                       .unit = "rad",
-                       .truth = stop.angle - s.angle,
-                       .pedigree = Pedigree::converged,
-                       .source = source,
-                       .measure = {.kind = Measure::Kind::rotation, .event = EventKind::restick, .axis = axis},
-                       .reference = absolute_reference_limit(),
-                       .realtime = turned}};
+  run.claims = {angle_at(s, 9, true),
+                angle_at(s, 22, false),
+                {.quantity = "end of the first swing",
+                 .unit = "s",
+                 .truth = stop.t,
+                 .pedigree = Pedigree::converged,
+                 .source = source,
+                 .measure = {.kind = Measure::Kind::event_time, .event = EventKind::restick},
+                 .controlled = absolute_controlled_limit(),
+                 .stepped = event_limit(2, "the spin is off by up to a sub-step of acceleration")},
+                {.quantity = "turn in the first swing",
+                 .unit = "rad",
+                 .truth = stop.angle - s.angle,
+                 .pedigree = Pedigree::converged,
+                 .source = source,
+                 .measure = {.kind = Measure::Kind::rotation, .event = EventKind::restick, .axis = axis},
+                 .controlled = absolute_controlled_limit(),
+                 .stepped = turned}};
   return run;
 }
 
@@ -153,13 +153,13 @@ Run hold_run(double share) {
     of.stick_depth.push_back(2 * radius * std::sin(limit_twist / 2) / of.friction.mu_static);
   }
   Run run{.name = fmt::format("{} of the threshold", share),
-          .scene = [=] { return planar_scene("F03 near the threshold", s, of, 0.3); }};
-  run.expectations = {{.quantity = "holds",
-                       .truth = share < 1 ? 1.0 : 0.0,
-                       .source = "L2: m g l sin th0 <= 16 k a^2 sin tw, 2 a sin(tw/2) = mu_s N/k; L1: 2 mu_s N a",
-                       .measure = {.kind = Measure::Kind::held, .axis = down, .level = 0.002},
-                       .reference = exact_limit(),
-                       .realtime = exact_limit()}};
+          .problem = [=] { return planar_scene("F03 near the threshold", s, of, 0.3); }};
+  run.claims = {{.quantity = "holds",
+                 .truth = share < 1 ? 1.0 : 0.0,
+                 .source = "L2: m g l sin th0 <= 16 k a^2 sin tw, 2 a sin(tw/2) = mu_s N/k; L1: 2 mu_s N a",
+                 .measure = {.kind = Measure::Kind::held, .axis = down, .level = 0.002},
+                 .controlled = exact_limit(),
+                 .stepped = exact_limit()}};
   return run;
 }
 
@@ -169,7 +169,7 @@ Case pivot_case() {
   return {
       .id = "F03",
       .title = "Pendulum held off-centre between two fingertips",
-      .level = "L2",
+      .truth_level = "L2",
       .statement =
           "A body of 0.1 kg and 4e-4 kg m^2 about its pivot, 50 mm above its centre of mass, is let go at 1.2 rad "
           "between "

@@ -25,7 +25,7 @@ Run creeping_run() {
   const closed_form::Ratchet r = creeping(0);
   const double cycle = 2 * half_frames / 90.0, end = 2 * cycle;
   const closed_form::RatchetMotion truth(r, 4), stepped(creeping(r.pinch.stiffness * step), 4);
-  Run run{.name = "Z = 1 mm creeps", .scene = [=] {
+  Run run{.name = "Z = 1 mm creeps", .problem = [=] {
             return normal_shake_scene(r.pinch, {r.mu, r.mu}, r.gravity, end);
           }};
   const std::string source = "L2: one slider oscillator each half period, by turns";
@@ -35,36 +35,34 @@ Run creeping_run() {
       "twice the shift that a damping of h K gives (backward error analysis of the implicit step), + the late answer "
       "of "
       "the normal springs";
-  run.expectations = {
-      {.quantity = "first slip",
-       .unit = "s",
-       .truth = truth.first_breakaway().t,
-       .source = source,
-       .measure = {.kind = Measure::Kind::event_time, .event = EventKind::breakaway},
-       .reference = absolute_reference_limit(),
-       .realtime = {.per_substep = 2.03 + shift(truth.first_breakaway().t, stepped.first_breakaway().t),
-                    .reason = "shows at the end of its sub-step, + " + analysis}},
-      {.quantity = "first stop",
-       .unit = "s",
-       .truth = truth.first_restick().t,
-       .source = source,
-       .measure = {.kind = Measure::Kind::event_time, .event = EventKind::restick},
-       .reference = absolute_reference_limit(
-           1 + std::sqrt(2 * r.pinch.stiffness / r.pinch.mass) / std::abs(truth.first_restick().rate),
-           "a speed of the oscillation is known to w times its place; over the rate at which it vanishes"),
-       .realtime = {.per_substep = 2.03 + shift(truth.first_restick().t, stepped.first_restick().t),
-                    .reason = "shows at the end of its sub-step, + " + analysis}}};
+  run.claims = {{.quantity = "first slip",
+                 .unit = "s",
+                 .truth = truth.first_breakaway().t,
+                 .source = source,
+                 .measure = {.kind = Measure::Kind::event_time, .event = EventKind::breakaway},
+                 .controlled = absolute_controlled_limit(),
+                 .stepped = {.per_step = 2.03 + shift(truth.first_breakaway().t, stepped.first_breakaway().t),
+                             .reason = "shows at the end of its sub-step, + " + analysis}},
+                {.quantity = "first stop",
+                 .unit = "s",
+                 .truth = truth.first_restick().t,
+                 .source = source,
+                 .measure = {.kind = Measure::Kind::event_time, .event = EventKind::restick},
+                 .controlled = absolute_controlled_limit(
+                     1 + std::sqrt(2 * r.pinch.stiffness / r.pinch.mass) / std::abs(truth.first_restick().rate),
+                     "a speed of the oscillation is known to w times its place; over the rate at which it vanishes"),
+                 .stepped = {.per_step = 2.03 + shift(truth.first_restick().t, stepped.first_restick().t),
+                             .reason = "shows at the end of its sub-step, + " + analysis}}};
   for (const double t : {cycle, end}) {
     const double creep = truth.creep(t);
-    run.expectations.push_back(
-        {.quantity = t < end ? "creep in the first cycle" : "creep in two cycles",
-         .unit = "m",
-         .truth = creep,
-         .source = source,
-         .measure = {.kind = Measure::Kind::displacement, .axis = down, .at = t},
-         .reference = absolute_reference_limit(),
-         .realtime = {.per_substep = shift(creep, stepped.creep(t)) + 1.03 * r.pinch.frequency * creep,
-                      .reason = analysis}});
+    run.claims.push_back({.quantity = t < end ? "creep in the first cycle" : "creep in two cycles",
+                          .unit = "m",
+                          .truth = creep,
+                          .source = source,
+                          .measure = {.kind = Measure::Kind::displacement, .axis = down, .at = t},
+                          .controlled = absolute_controlled_limit(),
+                          .stepped = {.per_step = shift(creep, stepped.creep(t)) + 1.03 * r.pinch.frequency * creep,
+                                      .reason = analysis}});
   }
   run.curve = Curve{
       "creep [m]", {.kind = Measure::Kind::displacement, .axis = down}, [truth](double t) { return truth.creep(t); }};
@@ -76,15 +74,15 @@ Run threshold_run(double share) {
   closed_form::Ratchet r;
   r.pinch = {.stiffness = 800, .preload = 0.003, .amplitude = 1, .frequency = 8};
   r.pinch.amplitude = share * shakedown_amplitude(r) / relative_amplitude(r.pinch);
-  Run run{.name = fmt::format("{} of the threshold", share), .scene = [=] {
+  Run run{.name = fmt::format("{} of the threshold", share), .problem = [=] {
             return normal_shake_scene(r.pinch, {r.mu, r.mu}, r.gravity, 0.9);
           }};
-  run.expectations = {{.quantity = "shakes down",
-                       .truth = share < 1 ? 1.0 : 0.0,
-                       .source = "L2: iff mu K (d0 - Z) >= m g/2",
-                       .measure = {.kind = Measure::Kind::no_event, .event = EventKind::breakaway},
-                       .reference = exact_limit(),
-                       .realtime = exact_limit()}};
+  run.claims = {{.quantity = "shakes down",
+                 .truth = share < 1 ? 1.0 : 0.0,
+                 .source = "L2: iff mu K (d0 - Z) >= m g/2",
+                 .measure = {.kind = Measure::Kind::no_event, .event = EventKind::breakaway},
+                 .controlled = exact_limit(),
+                 .stepped = exact_limit()}};
   return run;
 }
 
@@ -94,7 +92,7 @@ Case ratchet_case() {
   return {
       .id = "G06",
       .title = "Pinch shaken along the normals: creeps although 2 mu N0 > m g",
-      .level = "L2",
+      .truth_level = "L2",
       .statement =
           "Two fingers hold a 0.2 kg cube, 3 mm deep each (2.4 N), mu = 0.5, and shake along their normals so that the "
           "depths change by 1 mm.",

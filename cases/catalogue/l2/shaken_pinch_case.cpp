@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "cases/catalogue/builders/slider_expectations.hpp"
+#include "cases/catalogue/builders/slider_claims.hpp"
 #include "cases/catalogue/builders/slider_scenes.hpp"
 #include "cases/catalogue/families.hpp"
 
@@ -35,14 +35,14 @@ double critical_amplitude() {
 Run slipping_run() {
   const auto o = shaken(0.01);
   const double end = 0.55;
-  const SliderExpectations expect(o, end, up, samples);
-  Run run{.name = "slips down", .scene = [=] { return pinch_scene("D04 pinch shaken vertically", o, end); }};
-  run.expectations = {expect.breakaway(1, "first onset"),
-                      expect.restick(1, "first stop"),
-                      expect.slip_at_restick(1, "slip at the first stop"),
-                      expect.breakaway(2, "second onset"),
-                      expect.restick(2, "second stop"),
-                      expect.slip(49.0 / 90, "slip at t = 49/90 s")};
+  const SliderClaims expect(o, end, up, samples);
+  Run run{.name = "slips down", .problem = [=] { return pinch_scene("D04 pinch shaken vertically", o, end); }};
+  run.claims = {expect.breakaway(1, "first onset"),
+                expect.restick(1, "first stop"),
+                expect.slip_at_restick(1, "slip at the first stop"),
+                expect.breakaway(2, "second onset"),
+                expect.restick(2, "second stop"),
+                expect.slip(49.0 / 90, "slip at t = 49/90 s")};
   run.curve = expect.curve("slip [m]");
   return run;
 }
@@ -51,13 +51,13 @@ Run threshold_run(double share) {
   const auto o = shaken(share * critical_amplitude());
   const double end = 0.55;  // two periods
   Run run{.name = fmt::format("{} of the threshold", share),
-          .scene = [=] { return pinch_scene("D04 near the threshold", o, end); }};
-  run.expectations = {{.quantity = "holds",
-                       .truth = share < 1 ? 1.0 : 0.0,
-                       .source = "L2: m (g + A w^2 |H|) <= 2 mu_s N",
-                       .measure = {.kind = Measure::Kind::no_event, .event = EventKind::breakaway},
-                       .reference = exact_limit(),
-                       .realtime = exact_limit()}};
+          .problem = [=] { return pinch_scene("D04 near the threshold", o, end); }};
+  run.claims = {{.quantity = "holds",
+                 .truth = share < 1 ? 1.0 : 0.0,
+                 .source = "L2: m (g + A w^2 |H|) <= 2 mu_s N",
+                 .measure = {.kind = Measure::Kind::no_event, .event = EventKind::breakaway},
+                 .controlled = exact_limit(),
+                 .stepped = exact_limit()}};
   return run;
 }
 
@@ -66,7 +66,7 @@ Run threshold_run(double share) {
 Case shaken_pinch_case() {
   return {.id = "D04",
           .title = "Pinch shaken vertically: one-sided drift",
-          .level = "L2",
+          .truth_level = "L2",
           .statement =
               "A 0.2 kg block between two fingers that press with 2.6 N each and move as 10 mm sin(25 t) up and down; "
               "mu = 0.5.",

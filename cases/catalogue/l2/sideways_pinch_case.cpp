@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "cases/catalogue/builders/scenes.hpp"
-#include "cases/catalogue/builders/slider_expectations.hpp"
+#include "cases/catalogue/builders/slider_claims.hpp"
 #include "cases/catalogue/builders/slider_scenes.hpp"
 #include "cases/catalogue/families.hpp"
 
@@ -57,22 +57,22 @@ Scene scene(double amplitude, double duration) {
 
 Run slipping_run() {
   const double end = 0.1;
-  const SliderExpectations expect(shaken(0.05), end, sideways, samples);
-  Run run{.name = "slips", .scene = [=] { return scene(0.05, end); }};
-  run.expectations = {expect.breakaway(1, "onset"), expect.slip(4.0 / 90, "lag of the springs at t = 4/90 s"),
-                      expect.speed(4.0 / 90, "speed against the hand at t = 4/90 s")};
+  const SliderClaims expect(shaken(0.05), end, sideways, samples);
+  Run run{.name = "slips", .problem = [=] { return scene(0.05, end); }};
+  run.claims = {expect.breakaway(1, "onset"), expect.slip(4.0 / 90, "lag of the springs at t = 4/90 s"),
+                expect.speed(4.0 / 90, "speed against the hand at t = 4/90 s")};
   return run;
 }
 
 Run threshold_run(double share) {
   const double amplitude = share * critical_amplitude(), end = 0.85;  // two periods
-  Run run{.name = fmt::format("{} of the threshold", share), .scene = [=] { return scene(amplitude, end); }};
-  run.expectations = {{.quantity = "holds",
-                       .truth = share < 1 ? 1.0 : 0.0,
-                       .source = "L2: sqrt(g^2 + (A w^2 |H|)^2) <= 2 mu_s N/m",
-                       .measure = {.kind = Measure::Kind::no_event, .event = EventKind::breakaway},
-                       .reference = exact_limit(),
-                       .realtime = exact_limit()}};
+  Run run{.name = fmt::format("{} of the threshold", share), .problem = [=] { return scene(amplitude, end); }};
+  run.claims = {{.quantity = "holds",
+                 .truth = share < 1 ? 1.0 : 0.0,
+                 .source = "L2: sqrt(g^2 + (A w^2 |H|)^2) <= 2 mu_s N/m",
+                 .measure = {.kind = Measure::Kind::no_event, .event = EventKind::breakaway},
+                 .controlled = exact_limit(),
+                 .stepped = exact_limit()}};
   return run;
 }
 
@@ -82,7 +82,7 @@ Case sideways_pinch_case() {
   return {
       .id = "D06",
       .title = "Pinch shaken sideways in the finger plane: round cone",
-      .level = "L2",
+      .truth_level = "L2",
       .statement =
           "A 0.2 kg cube between two fingers that press with 2.6 N each and move as 50 mm sin(15 t) at right angles "
           "to gravity; mu = 0.5.",

@@ -36,7 +36,7 @@ struct Change {
 /// Positions: half a sub-step times the gained speed (R03), and as much of the gained acceleration over the time, since
 /// forces are taken at the ends of steps.
 Limit stepped_limit(const Change& change, double t) {
-  return {.per_substep = std::abs(change.speed) + std::abs(change.acceleration) * t,
+  return {.per_step = std::abs(change.speed) + std::abs(change.acceleration) * t,
           .reason =
               "twice (for what errors feed back into the directions of friction): half a sub-step times the gained "
               "speed (R03), "
@@ -62,55 +62,55 @@ Case sliding_spin_case() {
                             .friction = {.mu_static = mu, .mu_dynamic = mu}};
   const PlanarState stop = first_restick(s, 0.4);
   const double mid = 9.0 / 90, late = 16.0 / 90;
-  Run run{.name = "slides and spins", .scene = [=] { return planar_scene("F04 sliding spin", s, layout, 0.2); }};
+  Run run{.name = "slides and spins", .problem = [=] { return planar_scene("F04 sliding spin", s, layout, 0.2); }};
   const auto place = [](const PlanarState& p) { return p.velocity.y(); };
   const auto drift = [](const PlanarState& p) { return p.velocity.x(); };
   const auto turn = [](const PlanarState& p) { return p.spin; };
   for (const double t : {mid, late}) {
     const PlanarState now = planar_state(s, t);
     const std::string when = t == mid ? " at t = 0.1 s" : " at t = 8/45 s";
-    run.expectations.push_back({.quantity = "place" + when,
-                                .unit = "m",
-                                .truth = now.center.y(),
-                                .pedigree = Pedigree::converged,
-                                .source = source,
-                                .measure = {.kind = Measure::Kind::displacement, .axis = along, .at = t},
-                                .reference = reference_limit(),
-                                .realtime = stepped_limit(change_of(s, t, place), t),
-                                .converges = t == mid});
-    run.expectations.push_back({.quantity = "drift aside" + when,
-                                .unit = "m",
-                                .truth = now.center.x(),
-                                .pedigree = Pedigree::converged,
-                                .source = source,
-                                .measure = {.kind = Measure::Kind::displacement, .axis = sideways, .at = t},
-                                .reference = reference_limit(10, "a twentieth of the way"),
-                                .realtime = stepped_limit(change_of(s, t, drift), t)});
+    run.claims.push_back({.quantity = "place" + when,
+                          .unit = "m",
+                          .truth = now.center.y(),
+                          .pedigree = Pedigree::converged,
+                          .source = source,
+                          .measure = {.kind = Measure::Kind::displacement, .axis = along, .at = t},
+                          .controlled = controlled_limit(),
+                          .stepped = stepped_limit(change_of(s, t, place), t),
+                          .converges = t == mid});
+    run.claims.push_back({.quantity = "drift aside" + when,
+                          .unit = "m",
+                          .truth = now.center.x(),
+                          .pedigree = Pedigree::converged,
+                          .source = source,
+                          .measure = {.kind = Measure::Kind::displacement, .axis = sideways, .at = t},
+                          .controlled = controlled_limit(10, "a twentieth of the way"),
+                          .stepped = stepped_limit(change_of(s, t, drift), t)});
     // Of first order too, but lead and lag nearly cancel: its order would show that of the second.
-    run.expectations.push_back({.quantity = "angle" + when,
-                                .unit = "rad",
-                                .truth = now.angle,
-                                .pedigree = Pedigree::converged,
-                                .source = source,
-                                .measure = {.kind = Measure::Kind::rotation, .axis = axis, .at = t},
-                                .reference = reference_limit(),
-                                .realtime = stepped_limit(change_of(s, t, turn), t)});
+    run.claims.push_back({.quantity = "angle" + when,
+                          .unit = "rad",
+                          .truth = now.angle,
+                          .pedigree = Pedigree::converged,
+                          .source = source,
+                          .measure = {.kind = Measure::Kind::rotation, .axis = axis, .at = t},
+                          .controlled = controlled_limit(),
+                          .stepped = stepped_limit(change_of(s, t, turn), t)});
   }
-  run.expectations.push_back({.quantity = "first sample sticks",
-                              .unit = "s",
-                              .truth = stop.t,
-                              .pedigree = Pedigree::converged,
-                              .source = source,
-                              .measure = {.kind = Measure::Kind::event_time, .event = EventKind::restick},
-                              .reference = absolute_reference_limit(),
-                              .realtime = event_limit(2, "speeds are off by up to a sub-step of acceleration")});
+  run.claims.push_back({.quantity = "first sample sticks",
+                        .unit = "s",
+                        .truth = stop.t,
+                        .pedigree = Pedigree::converged,
+                        .source = source,
+                        .measure = {.kind = Measure::Kind::event_time, .event = EventKind::restick},
+                        .controlled = absolute_controlled_limit(),
+                        .stepped = event_limit(2, "speeds are off by up to a sub-step of acceleration")});
   run.curve = Curve{"place [m]", {.kind = Measure::Kind::displacement, .axis = along}, [=](double t) {
                       return t < stop.t ? planar_state(s, t).center.y() : std::nan("");
                     }};
   return {
       .id = "F04",
       .title = "Coupled sliding and spinning between two rings",
-      .level = "L2",
+      .truth_level = "L2",
       .statement =
           "A 0.2 kg plate between two rings of 20 mm radius, m g/2 each, slides with 0.5 m/s and spins with 20 rad/s; "
           "mu = 0.3, no gravity.",

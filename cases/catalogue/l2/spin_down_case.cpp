@@ -37,7 +37,7 @@ std::vector<SampleStart> pursuit(const std::vector<Eigen::Vector3d>& p_W, double
 Limit turned_limit(double spin_lost, double angle_lost) {
   const closed_form::SpinDown s = spin_down();
   Limit limit = euler_bias_limit(spin_lost);
-  limit.per_substep += 0.5 * s.spin * lag(s) / s.radius * angle_lost;
+  limit.per_step += 0.5 * s.spin * lag(s) / s.radius * angle_lost;
   limit.reason += "; friction where the step starts leans by w h/2, which changes a torque that leans by rho/a";
   return limit;
 }
@@ -68,35 +68,35 @@ Case spin_down_case() {
   const double duration = 24.0 / 90;
   const double mid = 18.0 / 90;  // still spinning, on a frame
   const double deceleration = torque(s, ring_patch) / s.inertia;
-  Run run{.name = "spins down", .scene = [=] { return scene(duration); }};
-  run.expectations = {{.quantity = "stop time",
-                       .unit = "s",
-                       .truth = stop_time(s, ring_patch),
-                       .source = "L2: I w0 / T, T = 2 mu N sqrt(a^2 - rho^2), rho = mu N / K",
-                       .measure = {.kind = Measure::Kind::event_time, .event = EventKind::restick},
-                       .reference = reference_limit(),
-                       .realtime = event_limit()},
-                      {.quantity = "angle at the stop",
-                       .unit = "rad",
-                       .truth = stop_angle(s, ring_patch),
-                       .source = "L2: I w0^2 / (2 T)",
-                       .measure = {.kind = Measure::Kind::rotation, .event = EventKind::restick, .axis = axis},
-                       .reference = reference_limit(),
-                       .realtime = turned_limit(s.spin, stop_angle(s, ring_patch))},
-                      {.quantity = "angle at t = 0.2 s",
-                       .unit = "rad",
-                       .truth = angle(s, ring_patch, mid),
-                       .source = "L2: w0 t - T t^2 / (2 I)",
-                       .measure = {.kind = Measure::Kind::rotation, .axis = axis, .at = mid},
-                       .reference = reference_limit(),
-                       .realtime = turned_limit(deceleration * mid, s.spin * mid - angle(s, ring_patch, mid)),
-                       .converges = true}};
+  Run run{.name = "spins down", .problem = [=] { return scene(duration); }};
+  run.claims = {{.quantity = "stop time",
+                 .unit = "s",
+                 .truth = stop_time(s, ring_patch),
+                 .source = "L2: I w0 / T, T = 2 mu N sqrt(a^2 - rho^2), rho = mu N / K",
+                 .measure = {.kind = Measure::Kind::event_time, .event = EventKind::restick},
+                 .controlled = controlled_limit(),
+                 .stepped = event_limit()},
+                {.quantity = "angle at the stop",
+                 .unit = "rad",
+                 .truth = stop_angle(s, ring_patch),
+                 .source = "L2: I w0^2 / (2 T)",
+                 .measure = {.kind = Measure::Kind::rotation, .event = EventKind::restick, .axis = axis},
+                 .controlled = controlled_limit(),
+                 .stepped = turned_limit(s.spin, stop_angle(s, ring_patch))},
+                {.quantity = "angle at t = 0.2 s",
+                 .unit = "rad",
+                 .truth = angle(s, ring_patch, mid),
+                 .source = "L2: w0 t - T t^2 / (2 I)",
+                 .measure = {.kind = Measure::Kind::rotation, .axis = axis, .at = mid},
+                 .controlled = controlled_limit(),
+                 .stepped = turned_limit(deceleration * mid, s.spin * mid - angle(s, ring_patch, mid)),
+                 .converges = true}};
   run.curve = Curve{"angle [rad]", {.kind = Measure::Kind::rotation, .axis = axis}, [s](double t) {
                       return t < stop_time(s, ring_patch) ? angle(s, ring_patch, t) : std::nan("");
                     }};
   return {.id = "F01",
           .title = "Spin-down between two fingertips: torsional friction of a patch",
-          .level = "L2",
+          .truth_level = "L2",
           .statement =
               "An object of 1e-4 kg m^2 spins at 20 rad/s about the axis of a pinch; each patch of 4 mm radius presses "
               "with 2 N; mu = 0.5; no gravity.",

@@ -30,46 +30,45 @@ Scene scene(const closed_form::SpinStop& s, double duration) {
 Run slipping_run() {
   const closed_form::SpinStop s{.stiffness = 8000, .spin = 5, .friction = {.mu_static = 0.5, .mu_dynamic = 0.4}};
   const double after = 9.0 / 90;  // 20 ms after the stop
-  Run run{.name = "5 rad/s slips", .scene = [=] { return scene(s, after); }};
+  Run run{.name = "5 rad/s slips", .problem = [=] { return scene(s, after); }};
   // The springs' torque grows from 0 within two sub-steps; taken at their ends it brakes up to h/2 too early.
   const std::string ramp = "the ramp of the torque is felt up to half a sub-step early";
-  Limit followed = reference_limit(250, "an anchor is known to 1e-10 m, on a ring of 4 mm");
-  followed.resolution = 1e-10 / s.radius;
+  Limit followed = controlled_limit(250, "an anchor is known to 1e-10 m, on a ring of 4 mm");
   const double ring = residual_amplitude(s), frequency = residual_frequency(s);
   const double swung = after - restick_time(s);
-  run.expectations = {
+  run.claims = {
       {.quantity = "slip onset",
        .unit = "s",
        .truth = breakaway_time(s),
        .source = "L2: pendulum with W^2 = 2 K a^2/I to the chord 2 a sin(th/2) = mu_s N/K",
        .measure = {.kind = Measure::Kind::event_time, .event = EventKind::breakaway},
-       .reference = followed,
-       .realtime = event_limit(1.5, ramp)},
+       .controlled = followed,
+       .stepped = event_limit(1.5, ramp)},
       {.quantity = "stop time",
        .unit = "s",
        .truth = restick_time(s),
        .source = "L2: t1 + integral of I dw/(T cos psi(w))",
        .measure = {.kind = Measure::Kind::event_time, .event = EventKind::restick},
-       .reference = followed,
-       .realtime = event_limit(1.5, ramp)},
+       .controlled = followed,
+       .stepped = event_limit(1.5, ramp)},
       {.quantity = "angle at the stop",
        .unit = "rad",
        .truth = restick_angle(s),
        .source = "L2: int T cos psi dth = I w1^2/2 on the curve of pursuit",
        .measure = {.kind = Measure::Kind::rotation, .event = EventKind::restick, .axis = axis},
-       .reference = followed,
-       .realtime = {.per_substep = 1.02 * s.spin,
-                    .reason =
-                        "half a sub-step of bias (R03) + half a sub-step of early braking, times the spin, + 2 %"}},
+       .controlled = followed,
+       .stepped = {.per_step = 1.02 * s.spin,
+                   .reason =
+                       "half a sub-step of bias (R03) + half a sub-step of early braking, times the spin, + 2 %"}},
       {.quantity = "angle at t = 0.1 s",
        .unit = "rad",
        .truth = angle(s, after),
        .source = "L2: pendulum with W^2 = 2 K a b/I about the anchors",
        .measure = {.kind = Measure::Kind::rotation, .axis = axis, .at = after},
-       .reference = followed,
-       .realtime = {.per_substep = 1.02 * s.spin + 1.5 * ring * frequency +
-                                   implicit_ring_limit(ring, frequency, swung).per_substep,
-                    .reason = "as at the stop, + the oscillation's start up to 1.5 sub-steps off, + its damping"}}};
+       .controlled = followed,
+       .stepped = {
+           .per_step = 1.02 * s.spin + 1.5 * ring * frequency + implicit_ring_limit(ring, frequency, swung).per_step,
+           .reason = "as at the stop, + the oscillation's start up to 1.5 sub-steps off, + its damping"}}};
   return run;
 }
 
@@ -83,24 +82,23 @@ closed_form::SpinStop slow(double share) {
 Run threshold_run(double share) {
   const closed_form::SpinStop s = slow(share);
   const double end = 0.6;
-  Run run{.name = fmt::format("{} of the threshold", share), .scene = [=] { return scene(s, end); }};
-  run.expectations = {{.quantity = "sticks",
-                       .truth = share < 1 ? 1.0 : 0.0,
-                       .source = "L2: sticks iff a w0/W <= mu_s N/K",
-                       .measure = {.kind = Measure::Kind::no_event, .event = EventKind::breakaway},
-                       .reference = exact_limit(),
-                       .realtime = exact_limit()}};
+  Run run{.name = fmt::format("{} of the threshold", share), .problem = [=] { return scene(s, end); }};
+  run.claims = {{.quantity = "sticks",
+                 .truth = share < 1 ? 1.0 : 0.0,
+                 .source = "L2: sticks iff a w0/W <= mu_s N/K",
+                 .measure = {.kind = Measure::Kind::no_event, .event = EventKind::breakaway},
+                 .controlled = exact_limit(),
+                 .stepped = exact_limit()}};
   if (share > 1) return run;
   const double t = 36.0 / 90;
-  run.expectations.push_back(
-      {.quantity = "angle at t = 0.4 s",
-       .unit = "rad",
-       .truth = angle(s, t),
-       .source = "L2: sin(th/2) = kappa sn(W t, kappa), kappa = w0/(2 W)",
-       .measure = {.kind = Measure::Kind::rotation, .axis = axis, .at = t},
-       .reference = reference_limit(),
-       .realtime = implicit_ring_limit(s.spin / torsional_frequency(s), torsional_frequency(s), t),
-       .converges = true});
+  run.claims.push_back({.quantity = "angle at t = 0.4 s",
+                        .unit = "rad",
+                        .truth = angle(s, t),
+                        .source = "L2: sin(th/2) = kappa sn(W t, kappa), kappa = w0/(2 W)",
+                        .measure = {.kind = Measure::Kind::rotation, .axis = axis, .at = t},
+                        .controlled = controlled_limit(),
+                        .stepped = implicit_ring_limit(s.spin / torsional_frequency(s), torsional_frequency(s), t),
+                        .converges = true});
   run.curve = Curve{
       "angle [rad]", {.kind = Measure::Kind::rotation, .axis = axis}, [s](double time) { return angle(s, time); }};
   return run;
@@ -111,7 +109,7 @@ Run threshold_run(double share) {
 Case spin_stop_case() {
   return {.id = "G09",
           .title = "Spinning object stopped by two compliant ring patches",
-          .level = "L2",
+          .truth_level = "L2",
           .statement =
               "An object of 1e-4 kg m^2 spins at 5 rad/s between two rings of 4 mm radius and slack springs; N = 2 N, "
               "mu_s = 0.5, mu_d = 0.4, no gravity.",

@@ -48,45 +48,45 @@ Case stopping_case() {
   // What is left of the ring-down at the end; the real-time path's phase is anyone's guess.
   const double swing =
       (stop_distance(s) - rest_distance(s)) * std::exp(-s.damping / (2 * s.mass) * (duration - stop_time(s)));
-  Run run{.name = "stops", .scene = [=] { return scene(duration); }};
-  run.expectations = {
+  Run run{.name = "stops", .problem = [=] { return scene(duration); }};
+  run.claims = {
       {.quantity = "stop time",
        .unit = "s",
        .truth = stop_time(s),
        .source = "L1 = L2: t = v0 / (mu_d g)",
        .measure = {.kind = Measure::Kind::event_time, .event = EventKind::restick},
-       .reference = reference_limit(),
-       .realtime = event_limit()},
+       .controlled = controlled_limit(),
+       .stepped = event_limit()},
       {.quantity = "slip at the stop",
        .unit = "m",
        .truth = stop_distance(s),
        .source = "L1 = L2: D = v0^2 / (2 mu_d g)",
        .measure = {.kind = Measure::Kind::displacement, .event = EventKind::restick, .axis = along},
-       .reference = reference_limit(),
-       .realtime = euler_bias_limit(s.speed)},
+       .controlled = controlled_limit(),
+       .stepped = euler_bias_limit(s.speed)},
       {.quantity = "slip at t = 1/6 s",
        .unit = "m",
        .truth = distance(s, mid),
        .source = "L1 = L2: x = v0 t - mu_d g t^2 / 2",
        .measure = {.kind = Measure::Kind::displacement, .axis = along, .at = mid},
-       .reference = reference_limit(),
-       .realtime = euler_bias_limit(s.mu_dynamic * s.gravity * mid),
+       .controlled = controlled_limit(),
+       .stepped = euler_bias_limit(s.mu_dynamic * s.gravity * mid),
        .converges = true},
       {.quantity = "place at t = 0.5 s",
        .unit = "m",
        .truth = distance(s, duration),
        .source = "L2: D - rho + rho exp(-delta tau) (cos w tau + delta/w sin w tau), rho = mu_d m g / K",
        .measure = {.kind = Measure::Kind::displacement, .axis = along, .at = duration},
-       .reference = reference_limit(10, "the phase of the ring-down adds to the stop"),
-       .realtime = {
+       .controlled = controlled_limit(10, "the phase of the ring-down adds to the stop"),
+       .stepped = {
            .value = 2 * swing,
-           .per_substep = 0.51 * s.speed,
+           .per_step = 0.51 * s.speed,
            .reason = "bias at the stop (R03) + twice the swing of the springs, rho exp(-delta tau), that is left"}}};
   run.curve =
       Curve{"slip [m]", {.kind = Measure::Kind::displacement, .axis = along}, [s](double t) { return distance(s, t); }};
   return {.id = "C03",
           .title = "Sliding stop on a level palm",
-          .level = "L1",
+          .truth_level = "L1",
           .statement = "A 0.2 kg block slides at 0.8 m/s on a palm at rest; mu_d = 0.4.",
           .formula = "t = v0 / (mu_d g), D = v0^2 / (2 mu_d g)",
           .note =

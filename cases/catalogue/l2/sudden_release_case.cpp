@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "cases/catalogue/builders/slider_expectations.hpp"
+#include "cases/catalogue/builders/slider_claims.hpp"
 #include "cases/catalogue/builders/slider_scenes.hpp"
 #include "cases/catalogue/families.hpp"
 
@@ -23,14 +23,14 @@ closed_form::SliderOscillator released(double normal_force, const Friction& fric
 Run slipping_run(double normal_force, const Friction& friction) {
   const auto o = released(normal_force, friction);
   const double end = 0.1;
-  const SliderExpectations expect(o, end, up, samples);
+  const SliderClaims expect(o, end, up, samples);
   Run run{.name = fmt::format("N = {} N, mu_d = {}", normal_force, friction.mu_dynamic),
-          .scene = [=] { return pinch_scene("G02 sudden release", o, end); }};
-  run.expectations = {expect.breakaway(1, "slip onset"), expect.restick(1, "stop"),
-                      expect.slip_at_restick(1, "place at the stop"), expect.slip(end, "place at t = 0.1 s")};
+          .problem = [=] { return pinch_scene("G02 sudden release", o, end); }};
+  run.claims = {expect.breakaway(1, "slip onset"), expect.restick(1, "stop"),
+                expect.slip_at_restick(1, "place at the stop"), expect.slip(end, "place at t = 0.1 s")};
   const double frequency = std::sqrt(o.stiffness / o.mass),
                braking = 2 * friction.mu_dynamic * normal_force / o.mass - gravity;
-  run.expectations[1].reference = absolute_reference_limit(
+  run.claims[1].controlled = absolute_controlled_limit(
       1 + frequency / braking, "the oscillation's speed is known to w times its place; over the braking");
   run.curve = expect.curve("place [m]");
   return run;
@@ -41,14 +41,14 @@ Run threshold_run(double share) {
   const auto o = released(0.2 * gravity / (share * 0.5), {0.5, 0.5});
   const double end = 0.25;  // three and a half periods
   Run run{.name = fmt::format("{} of the threshold", share),
-          .scene = [=] { return pinch_scene("G02 near the threshold", o, end); }};
-  run.expectations = {{.quantity = "holds",
-                       .truth = share < 1 ? 1.0 : 0.0,
-                       .source = "L2: no slip iff 2 m g <= 2 mu_s N, dynamic load factor 2",
-                       .measure = {.kind = Measure::Kind::no_event, .event = EventKind::breakaway},
-                       .reference = exact_limit(),
-                       .realtime = exact_limit()}};
-  run.not_realtime =
+          .problem = [=] { return pinch_scene("G02 near the threshold", o, end); }};
+  run.claims = {{.quantity = "holds",
+                 .truth = share < 1 ? 1.0 : 0.0,
+                 .source = "L2: no slip iff 2 m g <= 2 mu_s N, dynamic load factor 2",
+                 .measure = {.kind = Measure::Kind::no_event, .event = EventKind::breakaway},
+                 .controlled = exact_limit(),
+                 .stepped = exact_limit()}};
+  run.not_stepped =
       "the implicit step damps the first swing by exp(-pi w h/2), a third at w h = 0.25, and so holds 16 % more than "
       "the "
       "law; a pinch soft enough for 1 % would sag by 0.9 m";
@@ -61,7 +61,7 @@ Case sudden_release_case() {
   Run holds = threshold_run(0.98), slips = threshold_run(1.02);
   return {.id = "G02",
           .title = "Sudden release in a compliant pinch: dynamic load factor 2",
-          .level = "L2",
+          .truth_level = "L2",
           .statement = "A 0.2 kg cube between two fingers with slack springs is let go under gravity; mu_s = 0.5.",
           .formula =
               "no slip iff 2 m g <= 2 mu_s N; else v_c^2 = 2 g x_s - K x_s^2/m at x_s = 2 mu_s N/K, slip "

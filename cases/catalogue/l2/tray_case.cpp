@@ -27,26 +27,25 @@ Scene scene(const closed_form::Tray& t, double duration) {
 Case tray_case() {
   const closed_form::Tray tray;
   const double end = 54.0 / 90;
-  Run run{.name = "comes to rest", .scene = [=] { return scene(tray, end); }};
+  Run run{.name = "comes to rest", .problem = [=] { return scene(tray, end); }};
   const auto truth = vertical_forces(tray);
   const char* const names[] = {"force at (+a, +b)", "force at (+a, -b)", "force at (-a, +b)", "force at (-a, -b)"};
   for (int i = 0; i < 4; ++i)
-    run.expectations.push_back(
+    run.claims.push_back(
         {.quantity = names[i],
          .unit = "N",
          .truth = truth[std::size_t(i)],
          .source = "L2: m g/4 - k (R c_i)_z, R the lean at which k sum (R c_i) x c_i = m g (R r) x z",
          .measure = {.kind = Measure::Kind::force, .axis = Eigen::Vector3d::UnitZ(), .at = end, .sample = i},
-         .reference = reference_limit(),
-         .realtime = {.value = 1e-12,
-                      .relative = true,
-                      .reason = "rest does not depend on the step, and nothing of the settling is left: the solve, to "
-                                "1e-13, and rounding",
-                      .resolution = 1e-14}});
+         .controlled = controlled_limit(),
+         .stepped = {.value = 1e-12,
+                     .relative = true,
+                     .reason = "rest does not depend on the step, and nothing of the settling is left: the solve, to "
+                               "1e-13, and rounding"}});
   return {
       .id = "G07",
       .title = "How four springs share a tray",
-      .level = "L2",
+      .truth_level = "L2",
       .statement =
           "A 0.4 kg tray, its centre of mass 10 mm and 5 mm off the middle, lies on four samples at (+-50, +-30) mm.",
       .formula =

@@ -34,54 +34,53 @@ Scene scene(const closed_form::TwistedRing& r, double duration) {
 Limit pursuit_limit(const closed_form::TwistedRing& r, double angle) {
   const double friction = r.friction.mu_dynamic * r.normal_force / r.samples;
   return {.value = 1e-12 * torque(r, angle),
-          .per_substep = slipping(r, angle) * friction * (friction / r.stiffness) * 0.5 * spin * 1.02,
+          .per_step = slipping(r, angle) * friction * (friction / r.stiffness) * 0.5 * spin * 1.02,
           .reason =
               "exact in stick; a slipping sample pulls up to half the hand's turn of a step off its direction: "
-              "times F rho of each, + 2 %",
-          .resolution = 1e-14 * torque(r, angle)};
+              "times F rho of each, + 2 %", angle)};
 }
 
-Expectation torque_at(const closed_form::TwistedRing& r, int frame, bool converges) {
+Claim torque_at(const closed_form::TwistedRing& r, int frame, bool converges) {
   const double t = frame / 90.0;
   return {.quantity = fmt::format("torque at {:.4g} rad", spin * t),
           .unit = "N m",
           .truth = torque(r, spin * t),
           .source = "L2: sum of k D^2 sin th (stick) and F D cos psi(th) (slip, curve of pursuit)",
           .measure = {.kind = Measure::Kind::torque, .axis = up, .at = t, .point = {r.offset, 0, 0}},
-          .reference = reference_limit(),
-          .realtime = pursuit_limit(r, spin * t),
+          .controlled = controlled_limit(),
+          .stepped = pursuit_limit(r, spin * t),
           .converges = converges};
 }
 
-Expectation first_slip(const closed_form::TwistedRing& r) {
+Claim first_slip(const closed_form::TwistedRing& r) {
   return {.quantity = "first slip",
           .unit = "s",
           .truth = first_slip_angle(r) / spin,
           .source = "L2: 2 asin(mu N/(2 n k max D)) of turn",
           .measure = {.kind = Measure::Kind::event_time, .event = EventKind::breakaway},
-          .reference = reference_limit(),
-          .realtime = event_limit()};
+          .controlled = controlled_limit(),
+          .stepped = event_limit()};
 }
 
 Run offset_run() {
   const closed_form::TwistedRing r;
   const double end = 63.0 / 90;
-  Run run{.name = "about a centre 3 mm off", .scene = [=] { return scene(r, end); }};
-  run.expectations = {torque_at(r, 27, false), first_slip(r), torque_at(r, 45, true), torque_at(r, 63, true)};
-  run.expectations.push_back({.quantity = "samples that slip by 0.35 rad",
-                              .truth = double(slipping(r, spin * end)),
-                              .source = "L2: those with 2 D sin(th/2) > mu N/(n k)",
-                              .measure = {.kind = Measure::Kind::event_count, .event = EventKind::breakaway},
-                              .reference = exact_limit(),
-                              .realtime = exact_limit()});
+  Run run{.name = "about a centre 3 mm off", .problem = [=] { return scene(r, end); }};
+  run.claims = {torque_at(r, 27, false), first_slip(r), torque_at(r, 45, true), torque_at(r, 63, true)};
+  run.claims.push_back({.quantity = "samples that slip by 0.35 rad",
+                        .truth = double(slipping(r, spin * end)),
+                        .source = "L2: those with 2 D sin(th/2) > mu N/(n k)",
+                        .measure = {.kind = Measure::Kind::event_count, .event = EventKind::breakaway},
+                        .controlled = exact_limit(),
+                        .stepped = exact_limit()});
   return run;
 }
 
 Run concentric_run() {
   const closed_form::TwistedRing r{.offset = 0};
   const double end = 72.0 / 90;
-  Run run{.name = "about its own centre", .scene = [=] { return scene(r, end); }};
-  run.expectations = {torque_at(r, 45, false), first_slip(r), torque_at(r, 72, true)};
+  Run run{.name = "about its own centre", .problem = [=] { return scene(r, end); }};
+  run.claims = {torque_at(r, 45, false), first_slip(r), torque_at(r, 72, true)};
   return run;
 }
 
@@ -91,7 +90,7 @@ Case twist_case() {
   return {
       .id = "G08",
       .title = "Ring of 8 samples twisted about an off-set point: progressive slip",
-      .level = "L2",
+      .truth_level = "L2",
       .statement =
           "A ring of 4 mm radius presses with 2 N on an object that is held fast and turns about a point 3 mm from its "
           "centre; mu = 0.5.",

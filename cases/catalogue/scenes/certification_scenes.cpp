@@ -195,14 +195,14 @@ Scene slide() {
 }
 
 Limit bound(double value, const char* what) {
-  return {.value = value, .reason = std::string("what the reference preset promises for ") + what, .resolution = 1e-13};
+  return {.value = value, .reason = std::string("what the reference preset promises for ") + what};
 }
 
 const Limit position = bound(1e-7, "positions"), event_time = bound(1e-6, "event times");
 
 Measure event(EventKind kind) { return {.kind = Measure::Kind::event_time, .event = kind}; }
 
-std::vector<Expectation> pull_truths(const closed_form::PulledGrip& p, double end) {
+std::vector<Claim> pull_truths(const closed_form::PulledGrip& p, double end) {
   const double final = object_position(p, end) - p.speed * end;
   return {{"breakaway",
            "s",
@@ -233,7 +233,7 @@ std::vector<Expectation> pull_truths(const closed_form::PulledGrip& p, double en
            false}};
 }
 
-std::vector<Expectation> pinch_truths(const closed_form::BreathingGrip& g, double end) {
+std::vector<Claim> pinch_truths(const closed_form::BreathingGrip& g, double end) {
   return {{"slip onset",
            "s",
            slip_onset(g),
@@ -259,9 +259,9 @@ std::vector<CertificationScene> make_scenes() {
   const closed_form::BreathingGrip breathing;
   std::vector<CertificationScene> s;
   s.push_back({"pull", "two samples pull a cube from rest: break away, stick again", [=] { return pull(pulled); }});
-  s.back().expectations = pull_truths(pulled, 0.2);
+  s.back().claims = pull_truths(pulled, 0.2);
   s.push_back({"pinch-open", "two samples let a rod slip under its weight", [=] { return pinch_open(breathing); }});
-  s.back().expectations = pinch_truths(breathing, 0.6);
+  s.back().claims = pinch_truths(breathing, 0.6);
   s.push_back({"plate", "a block rocks and slides on a shaken palm of four samples", [] { return plate(); }});
   s.push_back({"tilt", "a block slides, tips and lifts off a turning palm", [] { return tilt("tilt", 0); }});
   s.push_back({"twist16", "two patches of eight twist, close and open on a cube",

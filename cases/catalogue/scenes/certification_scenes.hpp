@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/catalogue/case.hpp"
+#include "cases/catalogue/claim.hpp"
 #include "cases/model/scene.hpp"
 
 namespace handhold::catalogue {
@@ -19,10 +19,10 @@ struct CertificationScene {
   std::string name{};  ///< e.g. "twist16"
   std::string what{};  ///< one sentence
   std::function<Scene()> scene{};
-  bool flat{true};                          ///< all contacts lie on the faces of a box
-  bool eventless{false};                    ///< no change of mode: shows the order of an integrator
-  bool costly{false};                       ///< for the cost of many contacts only
-  std::vector<Expectation> expectations{};  ///< closed forms of L2, where there are any; limits for `reference`
+  bool flat{true};              ///< all contacts lie on the faces of a box
+  bool eventless{false};        ///< no change of mode: shows the order of an integrator
+  bool costly{false};           ///< for the cost of many contacts only
+  std::vector<Claim> claims{};  ///< closed forms of L2, where there are any
 };
 
 /// pull, pinch-open (closed forms); plate, tilt (lift-off), twist16; twist16-damped, tilt-damped; ball; smooth, slide

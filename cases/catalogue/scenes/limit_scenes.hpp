@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "cases/catalogue/case.hpp"
+#include "cases/catalogue/claim.hpp"
+#include "cases/model/scene.hpp"
 
 namespace handhold::catalogue {
 

@@ -17,20 +17,19 @@ namespace handhold::catalogue {
 /// form is evaluated with these changes; the limit is twice the largest shift (twice for what is of second order: a
 /// stick phase may last a few sub-steps only), for events one sub-step more, at whose end they show, and after a stop
 /// what one sub-step changes.
-class SliderExpectations {
+class SliderClaims {
  public:
   /// `axis`: where x of the oscillator points in W; `samples`: how many samples take part in every event.
-  SliderExpectations(const closed_form::SliderOscillator& oscillator, double until, const Eigen::Vector3d& axis,
-                     int samples);
+  SliderClaims(const closed_form::SliderOscillator& oscillator, double until, const Eigen::Vector3d& axis, int samples);
 
   /// Time of the n-th breakaway or re-stick.
-  [[nodiscard]] Expectation breakaway(int n, const std::string& quantity) const;
-  [[nodiscard]] Expectation restick(int n, const std::string& quantity) const;
+  [[nodiscard]] Claim breakaway(int n, const std::string& quantity) const;
+  [[nodiscard]] Claim restick(int n, const std::string& quantity) const;
   /// Displacement against the base since t = 0, at t or at the n-th re-stick.
-  [[nodiscard]] Expectation slip(double t, const std::string& quantity) const;
-  [[nodiscard]] Expectation slip_at_restick(int n, const std::string& quantity) const;
+  [[nodiscard]] Claim slip(double t, const std::string& quantity) const;
+  [[nodiscard]] Claim slip_at_restick(int n, const std::string& quantity) const;
   /// Speed against the base.
-  [[nodiscard]] Expectation speed(double t, const std::string& quantity) const;
+  [[nodiscard]] Claim speed(double t, const std::string& quantity) const;
 
   [[nodiscard]] Curve curve(const std::string& label) const;
   [[nodiscard]] const closed_form::SliderMotion& truth() const { return truth_.motion; }
@@ -42,7 +41,7 @@ class SliderExpectations {
   };
   template <typename Read>
   [[nodiscard]] double shift(const Read& read) const;
-  [[nodiscard]] Expectation event(EventKind kind, int n, const std::string& quantity) const;
+  [[nodiscard]] Claim event(EventKind kind, int n, const std::string& quantity) const;
   [[nodiscard]] double slip_of(const View& view, double t) const;
   [[nodiscard]] double speed_of(const View& view, double t) const;
   [[nodiscard]] double kink() const;

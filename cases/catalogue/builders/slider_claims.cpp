@@ -1,4 +1,4 @@
-#include "cases/catalogue/builders/slider_expectations.hpp"
+#include "cases/catalogue/builders/slider_claims.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -32,36 +32,33 @@ const std::string analysis =
     "R03)";
 const std::string after_stop = "; a stop before it acts up to a sub-step off";
 
-/// Ten times the integrator's accuracy, which is absolute: the states of these cases are below 1 m and 1 m/s.
-constexpr double noise = 1e-9;  // [m], [m/s]
+/// An integrator's accuracy is absolute: the states of these cases are below 1 m and 1 m/s.
+constexpr double noise = 10;      // accuracies
+constexpr double unfelt = 1e-10;  // [m], [m/s], [s]: what an accuracy of 1e-10 leaves
 
 /// The C2 spline through a hand sampled at 2 kHz is off by 0.05 (ω Δ)³ A ω in speed (its place, by (ω Δ)⁴ A / 384, is
 /// not felt).
 Limit speed_limit(const closed_form::Drive& base) {
   const double spline = 0.05 * std::pow(base.frequency / 2000, 3) * base.amplitude * base.frequency;
-  return {.value = noise + spline,
-          .reason = "ten times the integrator's accuracy of 1e-10 m/s; the hand's spline is off by 0.05 (w D)^3 A w",
-          .resolution = 0.1 * (noise + spline)};
+  return {.value = spline,
+          .per_accuracy = noise,
+          .reason = "ten times the integrator's accuracy; the hand's spline is off by 0.05 (w D)^3 A w"};
 }
 
-Limit state_limit() {
-  return {.value = noise, .reason = "ten times the integrator's accuracy of 1e-10 m and m/s", .resolution = 1e-10};
-}
+Limit state_limit() { return {.per_accuracy = noise, .reason = "ten times the integrator's accuracy"}; }
 
 Limit time_limit(const SliderOscillator& o, const closed_form::SliderEvent& event) {
   const bool by_speed = event.direction == 0 && o.damping == 0;
-  const double unsure = noise * (by_speed ? 1 : o.stiffness + o.damping) / std::abs(event.rate);
-  return {.value = noise + unsure,
+  const double magnified = 1 + (by_speed ? 1 : o.stiffness + o.damping) / std::abs(event.rate);
+  return {.per_accuracy = noise * magnified,
           .reason =
-              "events are located to 1e-9 s; ten times the integrator's accuracy in place and speed, over the rate "
-              "at which the limit is crossed",
-          .resolution = 0.1 * (noise + unsure)};
+              "events are located to ten accuracies; ten times the integrator's accuracy in place and speed, over the "
+              "rate at which the limit is crossed"};
 }
 
 }  // namespace
 
-SliderExpectations::SliderExpectations(const SliderOscillator& oscillator, double until, const Eigen::Vector3d& axis,
-                                       int samples)
+SliderClaims::SliderClaims(const SliderOscillator& oscillator, double until, const Eigen::Vector3d& axis, int samples)
     : o_(oscillator),
       axis_(axis),
       samples_(samples),
@@ -69,34 +66,30 @@ SliderExpectations::SliderExpectations(const SliderOscillator& oscillator, doubl
       on_time_{SliderMotion(stepped(o_, step), until), step / 2},
       early_{SliderMotion(stepped(o_, step), until, step), step / 2} {}
 
-double SliderExpectations::slip_of(const View& view, double t) const {
+double SliderClaims::slip_of(const View& view, double t) const {
   const closed_form::SliderState s = view.motion.at(t);
   return s.x + view.ahead * (s.v - o_.v) - o_.base.value(t) - (o_.x - o_.base.value(0));
 }
 
-double SliderExpectations::speed_of(const View& view, double t) const {
-  return view.motion.at(t).v - o_.base.derivative(t);
-}
+double SliderClaims::speed_of(const View& view, double t) const { return view.motion.at(t).v - o_.base.derivative(t); }
 
 /// Largest error of a stepped engine in what `read` reads, a unit of sub-step.
 template <typename Read>
-double SliderExpectations::shift(const Read& read) const {
+double SliderClaims::shift(const Read& read) const {
   const double truth = read(truth_);
   return second_order * std::max(std::abs(read(on_time_) - truth), std::abs(read(early_) - truth)) / step;
 }
 
 /// What is of second order in h when a mode changes within a step: the largest acceleration of the contact times h².
-double SliderExpectations::kink() const {
-  return step * 2 * o_.friction.mu_static * o_.normal_force.value(0) / o_.mass;
-}
+double SliderClaims::kink() const { return step * 2 * o_.friction.mu_static * o_.normal_force.value(0) / o_.mass; }
 
 /// 1 if there is a stop before t.
-double SliderExpectations::stopped(double t) const {
+double SliderClaims::stopped(double t) const {
   const auto& events = truth_.motion.events();
   return std::any_of(events.begin(), events.end(), [t](const auto& e) { return e.direction == 0 && e.t < t - 1e-9; });
 }
 
-Expectation SliderExpectations::event(EventKind kind, int n, const std::string& quantity) const {
+Claim SliderClaims::event(EventKind kind, int n, const std::string& quantity) const {
   const auto of = [=](const View& view) -> const closed_form::SliderEvent& {
     return kind == EventKind::breakaway ? view.motion.breakaway(n) : view.motion.restick(n);
   };
@@ -107,20 +100,18 @@ Expectation SliderExpectations::event(EventKind kind, int n, const std::string& 
           .truth = truth,
           .source = source,
           .measure = {.kind = Measure::Kind::event_time, .event = kind, .occurrence = 1 + (n - 1) * samples_},
-          .reference = time_limit(o_, of(truth_)),
-          .realtime = {.per_substep = 1.01 + stopped(truth) + shift(read),
-                       .reason = "shows at the end of its sub-step, + " + analysis + after_stop}};
+          .controlled = time_limit(o_, of(truth_)),
+          .stepped = {.per_step = 1.01 + stopped(truth) + shift(read),
+                      .reason = "shows at the end of its sub-step, + " + analysis + after_stop}};
 }
 
-Expectation SliderExpectations::breakaway(int n, const std::string& quantity) const {
+Claim SliderClaims::breakaway(int n, const std::string& quantity) const {
   return event(EventKind::breakaway, n, quantity);
 }
 
-Expectation SliderExpectations::restick(int n, const std::string& quantity) const {
-  return event(EventKind::restick, n, quantity);
-}
+Claim SliderClaims::restick(int n, const std::string& quantity) const { return event(EventKind::restick, n, quantity); }
 
-Expectation SliderExpectations::slip(double t, const std::string& quantity) const {
+Claim SliderClaims::slip(double t, const std::string& quantity) const {
   const auto read = [=, this](const View& view) { return slip_of(view, t); };
   const double late = stopped(t) * std::abs(speed_of(truth_, t));
   return {.quantity = quantity,
@@ -128,11 +119,11 @@ Expectation SliderExpectations::slip(double t, const std::string& quantity) cons
           .truth = read(truth_),
           .source = source,
           .measure = {.kind = Measure::Kind::displacement, .axis = axis_, .at = t},
-          .reference = state_limit(),
-          .realtime = {.per_substep = shift(read) + kink() + late, .reason = analysis + after_stop}};
+          .controlled = state_limit(),
+          .stepped = {.per_step = shift(read) + kink() + late, .reason = analysis + after_stop}};
 }
 
-Expectation SliderExpectations::slip_at_restick(int n, const std::string& quantity) const {
+Claim SliderClaims::slip_at_restick(int n, const std::string& quantity) const {
   const auto read = [=, this](const View& view) { return slip_of(view, view.motion.restick(n).t); };
   return {.quantity = quantity,
           .unit = "m",
@@ -142,11 +133,11 @@ Expectation SliderExpectations::slip_at_restick(int n, const std::string& quanti
                       .event = EventKind::restick,
                       .occurrence = 1 + (n - 1) * samples_,
                       .axis = axis_},
-          .reference = state_limit(),
-          .realtime = {.per_substep = shift(read) + kink(), .reason = analysis}};
+          .controlled = state_limit(),
+          .stepped = {.per_step = shift(read) + kink(), .reason = analysis}};
 }
 
-Expectation SliderExpectations::speed(double t, const std::string& quantity) const {
+Claim SliderClaims::speed(double t, const std::string& quantity) const {
   const auto read = [=, this](const View& view) { return speed_of(view, t); };
   const double late = stopped(t) * std::abs(speed_of(truth_, t) - speed_of(truth_, t - step)) / step;
   return {.quantity = quantity,
@@ -154,12 +145,12 @@ Expectation SliderExpectations::speed(double t, const std::string& quantity) con
           .truth = read(truth_),
           .source = source,
           .measure = {.kind = Measure::Kind::speed, .axis = axis_, .at = t},
-          .reference = speed_limit(o_.base),
-          .realtime = {.per_substep = shift(read) + late, .reason = analysis + after_stop}};
+          .controlled = speed_limit(o_.base),
+          .stepped = {.per_step = shift(read) + late, .reason = analysis + after_stop}};
 }
 
-Curve SliderExpectations::curve(const std::string& label) const {
-  const SliderExpectations self = *this;
+Curve SliderClaims::curve(const std::string& label) const {
+  const SliderClaims self = *this;
   return {label, {.kind = Measure::Kind::displacement, .axis = axis_}, [self](double t) {
             return self.slip_of(self.truth_, t);
           }};

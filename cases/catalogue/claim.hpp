@@ -1,0 +1,69 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <Eigen/Core>
+
+#include "cases/model/recording.hpp"
+
+namespace handhold::catalogue {
+
+/// Where a true number comes from. A recording of our own output is `regression` and never truth.
+enum class Pedigree { exact, discrete_exact, converged, published, regression };
+
+[[nodiscard]] std::string_view to_string(Pedigree pedigree);
+
+/// What is measured on a recording; from the poses of body 0, the hand's motion and the events alone, so that it can be
+/// asked of any engine (forces and energy only of those that record contacts and the energy ledger). "Relative" means:
+/// of the body's centre of mass against the case's phalanx, both counted from t = 0.
+struct Measure {
+  enum class Kind {
+    event_time,            ///< time of the `occurrence`-th first event of kind `event` of any sample [s]
+    displacement,          ///< relative displacement along `axis` at the instant [m]
+    speed,                 ///< relative speed along `axis` at the instant [m/s]
+    time_at_displacement,  ///< first time at which the relative displacement along `axis` reaches `level` [s]
+    rotation,              ///< angle turned about `axis` since t = 0, unwrapped, at the instant [rad]
+    held,                  ///< 1 if the largest |relative displacement along `axis`| stays below `level` [m], else 0
+    no_event,              ///< 1 if no event of kind `event` happens, else 0
+    event_count,           ///< how many events of kind `event` there are
+    force,                 ///< on body 0 along `axis` by the chosen samples, on the frame `at` [N]
+    torque,                ///< the same's torque about the axis through `point` [N m]
+    dissipated,            ///< energy lost to friction and dampers since t = 0, on the frame `at` [J]
+  };
+  Kind kind{Kind::displacement};
+  EventKind event{EventKind::touch};
+  int occurrence{1};
+  Eigen::Vector3d axis{Eigen::Vector3d::UnitX()};  ///< unit, in W
+  std::optional<double> at{};                      ///< the instant [s]; nothing: the instant of the event
+  double level{};
+  int phalanx{-1}, sample{-1};                     ///< of `force` and `torque`: -1 stands for all
+  Eigen::Vector3d point{Eigen::Vector3d::Zero()};  ///< in W [m]
+};
+
+/// How far a measured value may lie from the truth, and why: value + per_accuracy a + per_step h. It is derived from
+/// the problem for a whole class of methods; which class an engine belongs to is its error model (compare/judge).
+struct Limit {
+  double value{};         ///< in the quantity's unit, or a fraction of the truth
+  double per_accuracy{};  ///< times the accuracy a of a method that controls its error
+  double per_step{};      ///< times the step h of a method of first order [unit/s]
+  bool relative{false};
+  std::string reason{};  ///< why this much: a formula, not a wish
+};
+
+/// One true number of a case. It names no engine.
+struct Claim {
+  std::string quantity{};  ///< e.g. "slip onset"
+  std::string unit{};
+  double truth{};
+  double scale{};  ///< what a share of the truth is a share of, where the truth is small or zero; 0: |truth|
+  Pedigree pedigree{Pedigree::exact};
+  std::string source{};  ///< formula and level, e.g. "L2 = L1: t_s = (N0 - m g / (2 mu_s)) / r"
+  Measure measure{};
+  Limit controlled{};     ///< of a method that controls its error to an accuracy
+  Limit stepped{};        ///< of a fully implicit method of first order in its step
+  bool converges{false};  ///< a stepped method's error in this quantity falls with its step: measure the order
+};
+
+}  // namespace handhold::catalogue
