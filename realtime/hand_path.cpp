@@ -3,16 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cases/model/rotation.hpp"
+
 namespace handhold::realtime {
 namespace {
-
-/// Rotation vector of a unit quaternion, the short way round.
-Eigen::Vector3d rotation_vector(const Eigen::Quaterniond& q) {
-  const double sign = q.w() < 0 ? -1 : 1;
-  const double sine = q.vec().norm();
-  if (sine < 1e-12) return 2 * sign * q.vec();
-  return sign * 2 * std::atan2(sine, sign * q.w()) / sine * q.vec();
-}
 
 Eigen::Quaterniond quaternion(const Eigen::Vector3d& turn) {
   const double angle = turn.norm();

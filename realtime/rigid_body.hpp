@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include "cases/model/recording.hpp"
+#include "cases/model/rotation.hpp"
 #include "cases/model/scene.hpp"
 
 namespace handhold::realtime {
@@ -40,12 +41,5 @@ struct RigidBody {
 
 /// exp(angle) of a rotation vector.
 [[nodiscard]] Eigen::Quaterniond rotation_by(const Eigen::Vector3d& angle);
-
-/// w× as a matrix.
-[[nodiscard]] inline Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& w) {
-  Eigen::Matrix3d m;
-  m << 0, -w.z(), w.y(), w.z(), 0, -w.x(), -w.y(), w.x(), 0;
-  return m;
-}
 
 }  // namespace handhold::realtime

@@ -7,19 +7,13 @@
 
 #include "cases/model/input_error.hpp"
 #include "cases/model/patch.hpp"
+#include "cases/model/rotation.hpp"
 
 namespace handhold::realtime {
 namespace {
 
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
-
-Vector3d rotation_vector(const Quaterniond& q) {
-  const double s = q.vec().norm();
-  if (s < 1e-15) return Vector3d::Zero();
-  const double sign = q.w() < 0 ? -1 : 1;
-  return sign * 2 * std::atan2(s, sign * q.w()) / s * q.vec();
-}
 
 Quaterniond rotation(const Vector3d& turn) {
   const double angle = turn.norm();

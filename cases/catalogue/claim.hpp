@@ -57,13 +57,13 @@ struct Claim {
   std::string quantity{};  ///< e.g. "slip onset"
   std::string unit{};
   double truth{};
-  double scale{};  ///< what a share of the truth is a share of, where the truth is small or zero; 0: |truth|
   Pedigree pedigree{Pedigree::exact};
   std::string source{};  ///< formula and level, e.g. "L2 = L1: t_s = (N0 - m g / (2 mu_s)) / r"
   Measure measure{};
   Limit controlled{};     ///< of a method that controls its error to an accuracy
   Limit stepped{};        ///< of a fully implicit method of first order in its step
   bool converges{false};  ///< a stepped method's error in this quantity falls with its step: measure the order
+  double scale{};         ///< what a share of the truth is a share of, where the truth is small or zero; 0: |truth|
 };
 
 }  // namespace handhold::catalogue

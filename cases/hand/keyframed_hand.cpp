@@ -5,12 +5,11 @@
 
 #include <fmt/format.h>
 
+#include "cases/hand/minimum_jerk.hpp"
 #include "cases/model/input_error.hpp"
 
 namespace handhold {
 namespace {
-
-double minimum_jerk(double tau) { return tau * tau * tau * (10 + tau * (-15 + 6 * tau)); }
 
 double blend(double a, double b, double s) { return a + s * (b - a); }
 
@@ -22,7 +21,7 @@ FingerPose blend(const FingerPose& a, const FingerPose& b, double s) {
 }
 
 HandKeyframe blend(const HandKeyframe& a, const HandKeyframe& b, double t) {
-  const double s = minimum_jerk(std::clamp((t - a.t) / (b.t - a.t), 0.0, 1.0));
+  const double s = minimum_jerk((t - a.t) / (b.t - a.t));
   HandKeyframe frame;
   frame.t = t;
   frame.X_WH = {a.X_WH.R.slerp(s, b.X_WH.R).normalized(), a.X_WH.p + s * (b.X_WH.p - a.X_WH.p)};

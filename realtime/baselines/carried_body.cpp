@@ -2,15 +2,12 @@
 
 #include <cmath>
 
+#include "cases/model/rotation.hpp"
+
 namespace handhold::realtime::baselines {
 namespace {
 
 using Eigen::Vector3d;
-
-Vector3d rotation_vector(const Eigen::Quaterniond& q) {
-  const Eigen::AngleAxisd turn(q);  // 0 to pi
-  return turn.angle() * turn.axis();
-}
 
 }  // namespace
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "cases/model/input_error.hpp"
+#include "cases/model/rotation.hpp"
 #include "realtime/paper/anchor.hpp"
 
 namespace handhold::realtime::paper {
@@ -12,12 +13,6 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-Matrix3d cross_matrix(const Vector3d& a) {
-  Matrix3d m;
-  m << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
-  return m;
-}
 
 /// Anchors of samples that have lost sight of the surface are looked for no farther than this [m].
 constexpr double follow_reach = 0.02;

@@ -2,17 +2,13 @@
 
 #include <Eigen/LU>
 
+#include "cases/model/rotation.hpp"
+
 namespace handhold::reference::rigid {
 namespace {
 
 constexpr int sweeps = 100;
 constexpr double straight = 1e-9;  // sliding may turn by this part of its speed
-
-Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& a) {
-  Eigen::Matrix3d A;
-  A << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
-  return A;
-}
 
 Eigen::Matrix3d inverse_inertia(const RigidProblem& problem, const Motion& body) {
   if (problem.mobility == Mobility::translation) return Eigen::Matrix3d::Zero();

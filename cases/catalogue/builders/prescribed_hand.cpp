@@ -1,4 +1,3 @@
-#include "cases/hand/trace_spline.hpp"
 #include "cases/catalogue/builders/prescribed_hand.hpp"
 
 #include <array>
@@ -6,6 +5,7 @@
 #include <memory>
 
 #include "cases/hand/trace_builder.hpp"
+#include "cases/hand/trace_spline.hpp"
 
 namespace handhold::catalogue {
 namespace {

@@ -1,4 +1,3 @@
-#include "cases/hand/trace_spline.hpp"
 #include "cases/catalogue/builders/scenes.hpp"
 
 #include <cmath>
@@ -8,6 +7,7 @@
 #include "cases/geometry/shapes.hpp"
 #include "cases/geometry/voxelizer.hpp"
 #include "cases/hand/trace_builder.hpp"
+#include "cases/hand/trace_spline.hpp"
 
 namespace handhold::catalogue {
 namespace {

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "cases/catalogue/builders/near_threshold.hpp"
 #include "cases/catalogue/builders/scenes.hpp"
 #include "cases/catalogue/families.hpp"
 #include "cases/closed_form/ring_limit.hpp"
@@ -32,14 +33,12 @@ Scene scene(const closed_form::EccentricLoad& l, double weight, double duration)
 Run threshold_run(double arm, double share) {
   const closed_form::EccentricLoad l{.arm = arm};
   const double weight = share * limit_load(l).weight, end = 0.6;
-  Run run{.name = fmt::format("L = {} mm, {} of the threshold", 1e3 * arm, share),
-          .problem = [=] { return scene(l, weight, end); }};
-  run.claims = {{.quantity = "holds",
-                 .truth = share < 1 ? 1.0 : 0.0,
-                 .source = "L1 = L2: W = 2 (mu N/8) min over c of sum |r_i - c|/(L + c), 8 samples",
-                 .measure = {.kind = Measure::Kind::held, .axis = down, .level = 0.1 * arm},
-                 .controlled = exact_limit(),
-                 .stepped = exact_limit()}};
+  Run run = near_threshold(share, [=] { return scene(l, weight, end); },
+                           {.quantity = "holds",
+                            .truth = share < 1 ? 1.0 : 0.0,
+                            .source = "L1 = L2: W = 2 (mu N/8) min over c of sum |r_i - c|/(L + c), 8 samples",
+                            .measure = {.kind = Measure::Kind::held, .axis = down, .level = 0.1 * arm}});
+  run.name = fmt::format("L = {} mm, {}", 1e3 * arm, run.name);
   return run;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/catalogue/builders/near_threshold.hpp"
 #include "cases/catalogue/builders/scenes.hpp"
 #include "cases/catalogue/families.hpp"
 #include "cases/closed_form/incline.hpp"
@@ -79,14 +80,11 @@ Run threshold_run(double share) {
   const bool truth = holds(incline(slope));
   // Slipping, it moves further than this by far; sticking, only its springs could give way, by the lag.
   const double level = 0.5 * slip(incline(std::atan(1.02 * friction.mu_static)), duration);
-  Run run{.name = fmt::format("{} of the threshold", share), .problem = [=] { return scene(slope, duration, false); }};
-  run.claims = {{.quantity = "holds",
-                 .truth = truth ? 1.0 : 0.0,
-                 .source = "L1 = L2: tan th <= mu_s",
-                 .measure = {.kind = Measure::Kind::held, .axis = down_hill, .level = level},
-                 .controlled = exact_limit(),
-                 .stepped = exact_limit()}};
-  return run;
+  return near_threshold(share, [=] { return scene(slope, duration, false); },
+                        {.quantity = "holds",
+                         .truth = truth ? 1.0 : 0.0,
+                         .source = "L1 = L2: tan th <= mu_s",
+                         .measure = {.kind = Measure::Kind::held, .axis = down_hill, .level = level}});
 }
 
 }  // namespace

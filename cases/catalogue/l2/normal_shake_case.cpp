@@ -1,8 +1,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <fmt/format.h>
-
+#include "cases/catalogue/builders/near_threshold.hpp"
 #include "cases/catalogue/families.hpp"
 #include "cases/catalogue/l2/normal_shake_scene.hpp"
 
@@ -66,16 +65,14 @@ closed_form::ShakenPinch slow(double amplitude_share) {
 Run contact_run(double share) {
   const closed_form::ShakenPinch p = slow(share);
   const double end = 0.9;
-  Run run{.name = fmt::format("{} of the threshold", share), .problem = [=] {
-            return normal_shake_scene(p, {1, 1}, 0, end);
-          }};
-  run.claims = {{.quantity = "keeps touch",
-                 .truth = share < 1 ? 1.0 : 0.0,
-                 .source = "L2: iff Z <= d0, A <= d0 |2 K/m - w^2|/w^2",
-                 .measure = {.kind = Measure::Kind::no_event, .event = EventKind::release},
-                 .controlled = exact_limit(),
-                 .stepped = exact_limit()}};
-  return run;
+  return near_threshold(share,
+                        [=] {
+                          return normal_shake_scene(p, {1, 1}, 0, end);
+                        },
+                        {.quantity = "keeps touch",
+                         .truth = share < 1 ? 1.0 : 0.0,
+                         .source = "L2: iff Z <= d0, A <= d0 |2 K/m - w^2|/w^2",
+                         .measure = {.kind = Measure::Kind::no_event, .event = EventKind::release}});
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/catalogue/builders/near_threshold.hpp"
 #include "cases/catalogue/builders/scenes.hpp"
 #include "cases/catalogue/families.hpp"
 #include "cases/closed_form/palm_lift.hpp"
@@ -102,14 +103,11 @@ Run threshold_run(double share) {
   const double softness = l.frequency * l.frequency * l.mass / l.stiffness;
   l.amplitude = share * l.gravity * (1 - softness) / (l.frequency * l.frequency);
   const double duration = 0.7;
-  Run run{.name = fmt::format("{} of the threshold", share), .problem = [=] { return scene(l, duration); }};
-  run.claims = {{.quantity = "stays on the hand",
-                 .truth = leaves(l) ? 0.0 : 1.0,
-                 .source = "L2: leaves iff A w^2 > g (1 - w^2/W^2)",
-                 .measure = {.kind = Measure::Kind::no_event, .event = EventKind::release},
-                 .controlled = exact_limit(),
-                 .stepped = exact_limit()}};
-  return run;
+  return near_threshold(share, [=] { return scene(l, duration); },
+                        {.quantity = "stays on the hand",
+                         .truth = leaves(l) ? 0.0 : 1.0,
+                         .source = "L2: leaves iff A w^2 > g (1 - w^2/W^2)",
+                         .measure = {.kind = Measure::Kind::no_event, .event = EventKind::release}});
 }
 
 }  // namespace

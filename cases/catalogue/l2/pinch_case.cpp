@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "cases/catalogue/builders/near_threshold.hpp"
 #include "cases/catalogue/builders/scenes.hpp"
 #include "cases/catalogue/families.hpp"
 #include "cases/closed_form/pinch.hpp"
@@ -63,14 +64,11 @@ Run threshold_run(double share) {
   const closed_form::Pinch p = pinch(share * critical);
   const double duration = 11.0 / 90;  // at 0.98 it slips 17 mm of the 31 mm that the fingers have
   const double level = 0.5 * slip(pinch(0.98 * critical), duration);
-  Run run{.name = fmt::format("{} of the threshold", share), .problem = [=] { return scene(p, duration, false); }};
-  run.claims = {{.quantity = "holds",
-                 .truth = holds(p) ? 1.0 : 0.0,
-                 .source = "L1 = L2: n mu_s N >= m (g + a)",
-                 .measure = {.kind = Measure::Kind::held, .axis = down, .level = level},
-                 .controlled = exact_limit(),
-                 .stepped = exact_limit()}};
-  return run;
+  return near_threshold(share, [=] { return scene(p, duration, false); },
+                        {.quantity = "holds",
+                         .truth = holds(p) ? 1.0 : 0.0,
+                         .source = "L1 = L2: n mu_s N >= m (g + a)",
+                         .measure = {.kind = Measure::Kind::held, .axis = down, .level = level}});
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/catalogue/builders/near_threshold.hpp"
 #include "cases/catalogue/builders/planar_scenes.hpp"
 #include "cases/catalogue/families.hpp"
 
@@ -152,15 +153,11 @@ Run hold_run(double share) {
                           .stiffness = 2 * stiffness});
     of.stick_depth.push_back(2 * radius * std::sin(limit_twist / 2) / of.friction.mu_static);
   }
-  Run run{.name = fmt::format("{} of the threshold", share),
-          .problem = [=] { return planar_scene("F03 near the threshold", s, of, 0.3); }};
-  run.claims = {{.quantity = "holds",
-                 .truth = share < 1 ? 1.0 : 0.0,
-                 .source = "L2: m g l sin th0 <= 16 k a^2 sin tw, 2 a sin(tw/2) = mu_s N/k; L1: 2 mu_s N a",
-                 .measure = {.kind = Measure::Kind::held, .axis = down, .level = 0.002},
-                 .controlled = exact_limit(),
-                 .stepped = exact_limit()}};
-  return run;
+  return near_threshold(share, [=] { return planar_scene("F03 near the threshold", s, of, 0.3); },
+                        {.quantity = "holds",
+                         .truth = share < 1 ? 1.0 : 0.0,
+                         .source = "L2: m g l sin th0 <= 16 k a^2 sin tw, 2 a sin(tw/2) = mu_s N/k; L1: 2 mu_s N a",
+                         .measure = {.kind = Measure::Kind::held, .axis = down, .level = 0.002}});
 }
 
 }  // namespace

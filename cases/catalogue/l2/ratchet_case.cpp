@@ -1,8 +1,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <fmt/format.h>
-
+#include "cases/catalogue/builders/near_threshold.hpp"
 #include "cases/catalogue/families.hpp"
 #include "cases/catalogue/l2/normal_shake_scene.hpp"
 #include "cases/closed_form/ratchet.hpp"
@@ -74,16 +73,14 @@ Run threshold_run(double share) {
   closed_form::Ratchet r;
   r.pinch = {.stiffness = 800, .preload = 0.003, .amplitude = 1, .frequency = 8};
   r.pinch.amplitude = share * shakedown_amplitude(r) / relative_amplitude(r.pinch);
-  Run run{.name = fmt::format("{} of the threshold", share), .problem = [=] {
-            return normal_shake_scene(r.pinch, {r.mu, r.mu}, r.gravity, 0.9);
-          }};
-  run.claims = {{.quantity = "shakes down",
-                 .truth = share < 1 ? 1.0 : 0.0,
-                 .source = "L2: iff mu K (d0 - Z) >= m g/2",
-                 .measure = {.kind = Measure::Kind::no_event, .event = EventKind::breakaway},
-                 .controlled = exact_limit(),
-                 .stepped = exact_limit()}};
-  return run;
+  return near_threshold(share,
+                        [=] {
+                          return normal_shake_scene(r.pinch, {r.mu, r.mu}, r.gravity, 0.9);
+                        },
+                        {.quantity = "shakes down",
+                         .truth = share < 1 ? 1.0 : 0.0,
+                         .source = "L2: iff mu K (d0 - Z) >= m g/2",
+                         .measure = {.kind = Measure::Kind::no_event, .event = EventKind::breakaway}});
 }
 
 }  // namespace

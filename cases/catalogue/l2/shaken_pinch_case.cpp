@@ -1,8 +1,7 @@
 #include <cmath>
 #include <complex>
 
-#include <fmt/format.h>
-
+#include "cases/catalogue/builders/near_threshold.hpp"
 #include "cases/catalogue/builders/slider_claims.hpp"
 #include "cases/catalogue/builders/slider_scenes.hpp"
 #include "cases/catalogue/families.hpp"
@@ -50,15 +49,11 @@ Run slipping_run() {
 Run threshold_run(double share) {
   const auto o = shaken(share * critical_amplitude());
   const double end = 0.55;  // two periods
-  Run run{.name = fmt::format("{} of the threshold", share),
-          .problem = [=] { return pinch_scene("D04 near the threshold", o, end); }};
-  run.claims = {{.quantity = "holds",
-                 .truth = share < 1 ? 1.0 : 0.0,
-                 .source = "L2: m (g + A w^2 |H|) <= 2 mu_s N",
-                 .measure = {.kind = Measure::Kind::no_event, .event = EventKind::breakaway},
-                 .controlled = exact_limit(),
-                 .stepped = exact_limit()}};
-  return run;
+  return near_threshold(share, [=] { return pinch_scene("D04 near the threshold", o, end); },
+                        {.quantity = "holds",
+                         .truth = share < 1 ? 1.0 : 0.0,
+                         .source = "L2: m (g + A w^2 |H|) <= 2 mu_s N",
+                         .measure = {.kind = Measure::Kind::no_event, .event = EventKind::breakaway}});
 }
 
 }  // namespace

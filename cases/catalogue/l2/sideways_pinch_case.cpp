@@ -1,8 +1,7 @@
 #include <cmath>
 #include <complex>
 
-#include <fmt/format.h>
-
+#include "cases/catalogue/builders/near_threshold.hpp"
 #include "cases/catalogue/builders/scenes.hpp"
 #include "cases/catalogue/builders/slider_claims.hpp"
 #include "cases/catalogue/builders/slider_scenes.hpp"
@@ -66,14 +65,11 @@ Run slipping_run() {
 
 Run threshold_run(double share) {
   const double amplitude = share * critical_amplitude(), end = 0.85;  // two periods
-  Run run{.name = fmt::format("{} of the threshold", share), .problem = [=] { return scene(amplitude, end); }};
-  run.claims = {{.quantity = "holds",
-                 .truth = share < 1 ? 1.0 : 0.0,
-                 .source = "L2: sqrt(g^2 + (A w^2 |H|)^2) <= 2 mu_s N/m",
-                 .measure = {.kind = Measure::Kind::no_event, .event = EventKind::breakaway},
-                 .controlled = exact_limit(),
-                 .stepped = exact_limit()}};
-  return run;
+  return near_threshold(share, [=] { return scene(amplitude, end); },
+                        {.quantity = "holds",
+                         .truth = share < 1 ? 1.0 : 0.0,
+                         .source = "L2: sqrt(g^2 + (A w^2 |H|)^2) <= 2 mu_s N/m",
+                         .measure = {.kind = Measure::Kind::no_event, .event = EventKind::breakaway}});
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/catalogue/builders/near_threshold.hpp"
 #include "cases/catalogue/builders/scenes.hpp"
 #include "cases/catalogue/families.hpp"
 #include "cases/closed_form/spin_stop.hpp"
@@ -82,13 +83,11 @@ closed_form::SpinStop slow(double share) {
 Run threshold_run(double share) {
   const closed_form::SpinStop s = slow(share);
   const double end = 0.6;
-  Run run{.name = fmt::format("{} of the threshold", share), .problem = [=] { return scene(s, end); }};
-  run.claims = {{.quantity = "sticks",
-                 .truth = share < 1 ? 1.0 : 0.0,
-                 .source = "L2: sticks iff a w0/W <= mu_s N/K",
-                 .measure = {.kind = Measure::Kind::no_event, .event = EventKind::breakaway},
-                 .controlled = exact_limit(),
-                 .stepped = exact_limit()}};
+  Run run = near_threshold(share, [=] { return scene(s, end); },
+                           {.quantity = "sticks",
+                            .truth = share < 1 ? 1.0 : 0.0,
+                            .source = "L2: sticks iff a w0/W <= mu_s N/K",
+                            .measure = {.kind = Measure::Kind::no_event, .event = EventKind::breakaway}});
   if (share > 1) return run;
   const double t = 36.0 / 90;
   run.claims.push_back({.quantity = "angle at t = 0.4 s",

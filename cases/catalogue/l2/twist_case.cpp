@@ -37,7 +37,7 @@ Limit pursuit_limit(const closed_form::TwistedRing& r, double angle) {
           .per_step = slipping(r, angle) * friction * (friction / r.stiffness) * 0.5 * spin * 1.02,
           .reason =
               "exact in stick; a slipping sample pulls up to half the hand's turn of a step off its direction: "
-              "times F rho of each, + 2 %", angle)};
+              "times F rho of each, + 2 %"};
 }
 
 Claim torque_at(const closed_form::TwistedRing& r, int frame, bool converges) {

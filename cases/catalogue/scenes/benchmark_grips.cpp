@@ -8,13 +8,14 @@
 
 #include <fmt/format.h>
 
-#include "cases/hand/trace_spline.hpp"
 #include "cases/catalogue/builders/scenes.hpp"
 #include "cases/catalogue/scenes/benchmark_families.hpp"
 #include "cases/geometry/mass_properties.hpp"
 #include "cases/geometry/shapes.hpp"
 #include "cases/geometry/voxelizer.hpp"
+#include "cases/hand/minimum_jerk.hpp"
 #include "cases/hand/trace_builder.hpp"
+#include "cases/hand/trace_spline.hpp"
 #include "cases/model/input_error.hpp"
 
 namespace handhold::catalogue {
@@ -36,11 +37,6 @@ constexpr Friction friction{.mu_static = 0.8, .mu_dynamic = 0.8};
 constexpr ContactParameters contact{.stiffness = 2000, .damping = 9};
 
 const Eigen::Quaterniond along_y{Eigen::AngleAxisd(-std::numbers::pi / 2, Eigen::Vector3d::UnitX())};
-
-double minimum_jerk(double tau) {
-  const double s = std::clamp(tau, 0.0, 1.0);
-  return s * s * s * (10 + s * (-15 + 6 * s));
-}
 
 /// How far hands and object have come up at `t`.
 Eigen::Vector3d root(const GripPlan& plan, double t) {

@@ -1,4 +1,3 @@
-#include "cases/hand/trace_spline.hpp"
 #include "cases/catalogue/scenes/lively_scenes.hpp"
 
 #include <algorithm>
@@ -12,7 +11,9 @@
 #include <fmt/ranges.h>
 
 #include "cases/catalogue/builders/scenes.hpp"
+#include "cases/hand/minimum_jerk.hpp"
 #include "cases/hand/trace_builder.hpp"
+#include "cases/hand/trace_spline.hpp"
 #include "cases/model/input_error.hpp"
 
 namespace handhold::catalogue {
@@ -50,10 +51,7 @@ Hand hand_of(Side side, const PoseFunction& poses, double duration) {
 }
 
 /// From 0 to 1 between `begin` and `end`, at rest at both.
-double ramp(double t, double begin, double end) {
-  const double s = std::clamp((t - begin) / (end - begin), 0.0, 1.0);
-  return s * s * s * (10 + s * (-15 + 6 * s));
-}
+double ramp(double t, double begin, double end) { return minimum_jerk((t - begin) / (end - begin)); }
 
 /// Palm side (−y) up, fingers along x.
 const Quaterniond palm_up{(Eigen::Matrix3d() << 0, 0, 1, -1, 0, 0, 0, -1, 0).finished()};

@@ -1,4 +1,3 @@
-#include "cases/hand/trace_spline.hpp"
 #include "cases/hand/placement.hpp"
 
 #include <algorithm>
@@ -13,6 +12,7 @@
 #include "cases/hand/grasp_places.hpp"
 #include "cases/hand/grip.hpp"
 #include "cases/hand/trace_builder.hpp"
+#include "cases/hand/trace_spline.hpp"
 #include "cases/input/mesh/mesh_import.hpp"
 #include "cases/input/trace/trace_reader.hpp"
 #include "tests/cases/input/expect_input_error.hpp"

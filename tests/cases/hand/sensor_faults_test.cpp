@@ -1,10 +1,10 @@
-#include "cases/hand/trace_spline.hpp"
 #include "cases/hand/sensor_faults.hpp"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "cases/hand/trace_spline.hpp"
 #include "cases/input/trace/trace_summary.hpp"
 #include "tests/cases/input/trace_fixtures.hpp"
 

@@ -1,4 +1,3 @@
-#include "cases/hand/trace_spline.hpp"
 #include "cases/input/trace/leap_reader.hpp"
 
 #include <cmath>
@@ -7,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "cases/hand/trace_spline.hpp"
 #include "cases/input/text_file.hpp"
 #include "cases/input/trace/joint_frames.hpp"
 #include "cases/input/trace/lz_string.hpp"

@@ -1,0 +1,17 @@
+#include "cases/catalogue/builders/near_threshold.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cases/catalogue/families.hpp"
+
+namespace handhold::catalogue {
+
+Run near_threshold(double share, std::function<Problem()> problem, Claim claim) {
+  claim.controlled = claim.stepped = exact_limit();
+  return {
+      .name = fmt::format("{} of the threshold", share), .problem = std::move(problem), .claims = {std::move(claim)}};
+}
+
+}  // namespace handhold::catalogue

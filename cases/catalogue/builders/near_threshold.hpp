@@ -1,0 +1,12 @@
+#pragma once
+
+#include <functional>
+
+#include "cases/catalogue/case.hpp"
+
+namespace handhold::catalogue {
+
+/// A run at `share` of a threshold that asks one yes/no claim: nothing to tolerate. The claim comes without limits.
+[[nodiscard]] Run near_threshold(double share, std::function<Problem()> problem, Claim claim);
+
+}  // namespace handhold::catalogue
