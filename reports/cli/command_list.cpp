@@ -30,7 +30,13 @@ void print_cases() {
 }
 
 void print_engines() {
-  for (const std::string& name : compare::engine_names()) fmt::print("{}\n", name);
+  for (const std::string& name : compare::engine_names()) {
+    const compare::EngineInfo info = compare::make_engine(name)->info({});
+    std::string levels;
+    for (const Level level : info.levels) levels += (levels.empty() ? "" : ", ") + std::string(to_string(level));
+    const bool gated = info.errs.kind != compare::ErrorModel::Kind::foreign;
+    fmt::print("{}{}{}\n", left(name, 18), left(levels, 8), gated ? "gated: its limits are derived" : "graded");
+  }
 }
 
 std::string_view to_string(Evidence evidence) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -46,7 +47,7 @@ TimedRecording simulate(const std::string& engine, const NamedScene& named, cons
   progress.step(fmt::format("{} {}", engine, named.name));
   const auto start = std::chrono::steady_clock::now();
   TimedRecording out;
-  out.recording = compare::make_engine(engine)->simulate(named.scene, options, [&](double t) {
+  out.recording = compare::make_engine(engine)->play(named.scene, options, [&](double t) {
     progress.update(fmt::format("{:.2f} of {:.2f} s", t, named.scene.duration));
     return !interrupted();
   });
@@ -54,8 +55,13 @@ TimedRecording simulate(const std::string& engine, const NamedScene& named, cons
   return out;
 }
 
+/// Those that play scenes.
 std::vector<std::string> engine_choices() {
-  std::vector<std::string> names = compare::engine_names();
+  std::vector<std::string> names;
+  for (const std::string& name : compare::engine_names()) {
+    const std::vector<Level> levels = compare::make_engine(name)->info({}).levels;
+    if (std::find(levels.begin(), levels.end(), Level::compliant) != levels.end()) names.push_back(name);
+  }
   names.emplace_back("both");
   return names;
 }

@@ -113,7 +113,7 @@ Judged judge(const Entry& entry, const std::string& engine, const Options& optio
       const realtime::Options setting = setting_of(options, entry.benchmark.id);
       of_engine.substeps = setting.substeps;
       of_engine.order = setting.order;
-      recording = compare::make_engine(engine)->simulate(entry.benchmark.scene, of_engine);
+      recording = compare::make_engine(engine)->play(entry.benchmark.scene, of_engine);
     } else {
       const PeerSetting setting = compare::peers::grip_setting(engine, judged.scene);
       recording = compare::peers::play(engine, entry.benchmark, setting, options.frame_rate, true);

@@ -7,8 +7,8 @@
 int main() {
   for (const auto& name : handhold::compare::engine_names()) {
     const auto engine = handhold::compare::make_engine(name);
-    std::printf("engine %s\n", engine->name().c_str());
-    if (engine->name() != name) return 1;
+    std::printf("engine %s\n", engine->info({}).name.c_str());
+    if (engine->info({}).name != name) return 1;
   }
   const auto& cases = handhold::catalogue::all_cases();
   std::printf("%zu cases\n", cases.size());
