@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include "reports/ticks.hpp"
 
 namespace handhold::reports {
 namespace {
@@ -35,14 +34,6 @@ TEST(Text, LongSummariesGoOnBelow) {
             "  size              " + word + "\n" + std::string(20, ' ') + word + "\n");
 }
 
-TEST(Text, Numbers) {
-  EXPECT_EQ(number(std::numeric_limits<double>::quiet_NaN()), "none");
-  EXPECT_EQ(number(-0.0), "0");
-  EXPECT_EQ(error_number(0.0083, true), "0.83 %");
-  EXPECT_EQ(typographic("-1.2e-05"), "−1.2×10⁻⁵");
-  EXPECT_EQ(typographic("1e+10 %"), "1×10¹⁰ %");
-}
-
 TEST(Text, AnOrderShowsAsManyDecimalsAsItsError) {
   EXPECT_EQ(with_error(1.0149, 0.0213), "1.01 ± 0.02");
   EXPECT_EQ(with_error(0.98312, 0.0041), "0.983 ± 0.004");
@@ -57,28 +48,6 @@ TEST(Text, ReadableChoosesThePrefix) {
   EXPECT_EQ(readable(2, "m"), "2 m");
   EXPECT_EQ(readable(0, "m"), "0 m");
   EXPECT_EQ(readable(2e-9, "kg m²"), "2×10⁻⁹ kg m²");
-}
-
-TEST(Ticks, AreRoundAndInside) {
-  EXPECT_EQ(linear_ticks(0, 1, 6), (std::vector<double>{0, 0.2, 0.4, 0.6000000000000001, 0.8, 1}));
-  EXPECT_EQ(tick_labels(linear_ticks(0, 1, 6), false),
-            (std::vector<std::string>{"0.0", "0.2", "0.4", "0.6", "0.8", "1.0"}));
-  EXPECT_EQ(tick_labels(linear_ticks(-35, 35, 4), false), (std::vector<std::string>{"−20", "0", "20"}));
-  EXPECT_EQ(tick_labels(log_ticks(0.3, 3.3, 6), true), (std::vector<std::string>{"0.5", "1", "2"}));
-  EXPECT_EQ(tick_labels(log_ticks(1e-9, 1e-3, 8), true).front(), "1×10⁻⁹");
-}
-
-TEST(Ticks, NeverTooManyWhateverTheRange) {
-  for (const double span : {1e-300, 1e-9, 0.37, 1.0, 999.0, 1e300}) {
-    for (const int most : {2, 4, 6}) {
-      EXPECT_LE(linear_ticks(-span, span, most).size(), std::size_t(most));
-      EXPECT_GE(linear_ticks(-span, span, most).size(), 1u);
-      EXPECT_LE(log_ticks(1e-12 * span, span, most).size(), std::size_t(most));
-    }
-  }
-  EXPECT_TRUE(linear_ticks(1, 1, 5).empty());
-  EXPECT_TRUE(linear_ticks(1, std::nextafter(1, 2), 5).empty());
-  EXPECT_TRUE(log_ticks(0, 1, 5).empty());
 }
 
 }  // namespace
