@@ -168,6 +168,19 @@ std::string with_error(double value, double standard_error) {
   return fmt::format("{:.{}f} ± {:.{}f}", value, decimals, standard_error, decimals);
 }
 
+std::string typographic(std::string_view text) {
+  std::string out;
+  const std::size_t e = text.find('e');
+  const bool scientific =
+      e != std::string_view::npos && e > 0 && e + 1 < text.size() && (text[e + 1] == '-' || text[e + 1] == '+');
+  for (const char c : scientific ? text.substr(0, e) : text) c == '-' ? out += "−" : out += c;
+  if (!scientific) return out;
+  const std::size_t tail = text.find(' ', e);  // "1e-05 %"
+  out += "×10" + superscript(text.substr(e + 1, tail == std::string_view::npos ? tail : tail - e - 1));
+  if (tail != std::string_view::npos) out += text.substr(tail);
+  return out;
+}
+
 Scale readable_scale(double largest, std::string_view unit) {
   if (!std::isfinite(largest) || largest == 0) return {1, std::string(unit)};
   const int exponent = 3 * static_cast<int>(std::floor(std::log10(std::abs(largest) * (1 + 1e-12)) / 3));

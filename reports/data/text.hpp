@@ -37,6 +37,9 @@ namespace handhold::reports {
 /// "0.983 ± 0.004": as many decimals as the standard error shows, two or three; below 0.0005 it is written "<0.001".
 [[nodiscard]] std::string with_error(double value, double standard_error);
 
+/// The signs of print: "−1.2×10⁻⁵" for "-1.2e-05".
+[[nodiscard]] std::string typographic(std::string_view number);
+
 /// Multiply by `factor` to get `unit`.
 struct Scale {
   double factor{1};
