@@ -136,9 +136,9 @@ TEST_F(CommandLine, SuiteWritesAReportThatAgreesWithItsExitCode) {
   EXPECT_EQ(fs::exists(root / "report/junit.xml"), true);
 }
 
-// An integrator at 1e-3 misses limits that are set for 1e-10.
+// With one step a frame some limits, which are asymptotic, do not hold yet.
 TEST_F(CommandLine, AFailedGateGivesExitCodeOne) {
-  const Result result = run("suite --only D02,D13,F01 --no-order --accuracy 1e-3 --out report");
+  const Result result = run("suite --only C09,D13,G02 --no-order --substeps 1 --out report");
   EXPECT_EQ(result.exit_code, 1) << result.error;
   EXPECT_GT(nlohmann::json::parse(read(root / "report/results.json"))["verdict"]["failed"], 0);
   EXPECT_NE(result.out.find("Failed gates"), std::string::npos);
@@ -191,7 +191,7 @@ TEST_F(CommandLine, CtrlCWritesThePartialReportAndSaysSo) {
     (void)::chdir(root.c_str());
     (void)std::freopen(".out", "w", stdout);
     (void)std::freopen(".err", "w", stderr);
-    ::execl(HANDHOLD_EXECUTABLE, "handhold", "suite", "--out", "report", static_cast<char*>(nullptr));
+    ::execl(HANDHOLD_EXECUTABLE, "handhold", "suite", "--threads", "1", "--out", "report", static_cast<char*>(nullptr));
     std::_Exit(127);
   }
   for (int i = 0;
