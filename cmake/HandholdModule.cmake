@@ -12,14 +12,26 @@ target_compile_options(handhold_flags INTERFACE
 
 option(HANDHOLD_PCH "Precompile Eigen and the standard library once a target: more than half of the time to compile" ON)
 
-# handhold_precompile(<target> [<header>...]): those headers, Eigen's and the standard library's are read once for the target.
-# With -fpch-preprocess the compiler cache can see what a file was compiled from.
-function(handhold_precompile target)
+# handhold_precompile(<target> <kind> [LINK <target>...] [HEADERS <header>...] [OPTIONS <flag>...])
+#
+# Eigen's and the standard library's headers, and those named, are read once for all targets of one kind, which are compiled
+# alike. With -fpch-preprocess the compiler cache can see what a file was compiled from.
+function(handhold_precompile target kind)
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "LINK;HEADERS;OPTIONS")
   if(NOT HANDHOLD_PCH)
     return()
   endif()
-  target_precompile_headers(${target} PRIVATE
-    <Eigen/Core> <Eigen/Geometry> <algorithm> <array> <cmath> <functional> <map> <memory> <optional> <string> <vector> ${ARGN})
+  set(holder handhold_precompiled_${kind})
+  if(NOT TARGET ${holder})
+    file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/${holder}.cpp" CONTENT "// holds a precompiled header\n")
+    add_library(${holder} OBJECT "${PROJECT_BINARY_DIR}/${holder}.cpp")
+    target_link_libraries(${holder} PRIVATE Eigen3::Eigen handhold_flags ${arg_LINK})
+    target_compile_features(${holder} PRIVATE cxx_std_20)
+    target_compile_options(${holder} PRIVATE -fpch-preprocess ${arg_OPTIONS})
+    target_precompile_headers(${holder} PRIVATE <Eigen/Core> <Eigen/Geometry> <algorithm> <array> <cmath> <functional>
+      <map> <memory> <optional> <string> <vector> ${arg_HEADERS})
+  endif()
+  target_precompile_headers(${target} REUSE_FROM ${holder})
   target_compile_options(${target} PRIVATE -fpch-preprocess)
 endfunction()
 
@@ -35,11 +47,11 @@ function(handhold_module name)
   target_link_libraries(handhold_${name}
     PUBLIC ${arg_PUBLIC}
     PRIVATE ${arg_PRIVATE} "$<BUILD_INTERFACE:handhold_flags>")
-  set(extra)
   if("fmt::fmt" IN_LIST arg_PRIVATE)
-    set(extra <fmt/format.h>)
+    handhold_precompile(handhold_${name} fmt LINK fmt::fmt HEADERS <fmt/format.h>)
+  else()
+    handhold_precompile(handhold_${name} plain)
   endif()
-  handhold_precompile(handhold_${name} ${extra})
   install(TARGETS handhold_${name} EXPORT handholdTargets)
 endfunction()
 
@@ -53,7 +65,10 @@ function(handhold_isolated name)
   target_include_directories(handhold_${name} PRIVATE "${PROJECT_SOURCE_DIR}")
   target_link_libraries(handhold_${name} PRIVATE ${arg_LINK})
   target_compile_options(handhold_${name} PRIVATE -ffp-contract=off ${arg_OPTIONS})
-  handhold_precompile(handhold_${name} ${arg_PRECOMPILE})
+  if(HANDHOLD_PCH AND arg_PRECOMPILE)
+    target_precompile_headers(handhold_${name} PRIVATE ${arg_PRECOMPILE})
+    target_compile_options(handhold_${name} PRIVATE -fpch-preprocess)
+  endif()
 endfunction()
 
 # sources_in(<list> <folder> <name>...): appends <folder>/<name>.cpp of each name to the list. Every source is named: one that
