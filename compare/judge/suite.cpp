@@ -79,10 +79,10 @@ class Work {
     for (std::size_t i = next_++; i < items_.size() && !stopped_; i = next_++) {
       try {
         if (!announce(items_[i])) return;
-        items_[i].result = judge_.judge(items_[i].run[0], items_[i].of_case->level);
+        std::optional<RunResult>& result = items_[i].result;
+        result = judge_.judge(*items_[i].run, items_[i].of_case->level);
         ++done_;
-        if (!items_[i].result) stopped_ = true;
-        if (options_.fail_fast && items_[i].result && has_failure(*items_[i].result)) stopped_ = true;
+        if (!result || (options_.fail_fast && has_failure(*result))) stopped_ = true;
       } catch (...) {
         const std::lock_guard lock(mutex_);
         if (!error_) error_ = std::current_exception();
