@@ -2,9 +2,9 @@
 
 #include <Eigen/Core>
 
+#include "cases/model/body.hpp"
 #include "cases/model/recording.hpp"
 #include "cases/model/rotation.hpp"
-#include "cases/model/scene.hpp"
 
 namespace handhold::realtime {
 

@@ -12,15 +12,6 @@ namespace handhold::realtime {
 namespace {
 
 constexpr double most_pieces = 16;
-constexpr std::size_t most_bodies = 255;  // SampleId has one byte, and 255 hands are a body's
-
-void check_size(const Scene& scene) {
-  if (scene.bodies.empty())
-    throw InputError("scene '" + scene.name + "': must have a body (nothing can touch nothing)");
-  if (scene.bodies.size() > most_bodies || scene.hands.size() >= most_bodies)
-    throw InputError("scene '" + scene.name + "' has " + std::to_string(scene.bodies.size()) + " bodies and " +
-                     std::to_string(scene.hands.size()) + " hands: at most 255 and 254 (leave some out)");
-}
 
 }  // namespace
 
@@ -35,13 +26,13 @@ void validate(const Options& options) {
     throw InputError("longest_bridge " + std::to_string(options.longest_bridge) + " s: must be >= 0");
 }
 
-World::World(const Scene& scene, const Options& options) : scene_(scene), options_(options) {
+World::World(const WorldDef& def, const Options& options) : scene_(def), options_(options) {
   validate(options);
-  check_size(scene);
-  contacts_ = make_contacts(scene);
-  for (const Body& body : scene.bodies) bodies_.push_back(make_rigid_body(body));
+  validate(def);
+  contacts_ = make_contacts(def);
+  for (const Body& body : def.bodies) bodies_.push_back(make_rigid_body(body));
   rank_bodies();
-  const std::size_t bodies = bodies_.size(), hands = scene.hands.size();
+  const std::size_t bodies = bodies_.size(), hands = def.hands.size();
   paths_.assign(hands, HandPath(options.longest_bridge));
   now_.resize(hands);
   next_.resize(hands);
@@ -52,13 +43,13 @@ World::World(const Scene& scene, const Options& options) : scene_(scene), option
   }
   for (std::size_t i = 0; i < contacts_.hand_patches; ++i) {
     const PatchSlot& patch = contacts_.patches[i];
-    proximity_.emplace_back(scene.hands[std::size_t(patch.hand)].motion->model().shape(patch.phalanx));
+    proximity_.emplace_back(def.hands[std::size_t(patch.hand)].model.shape(patch.phalanx));
     if (patch.active) active_patches_.push_back(int(i));
   }
   broad_phase_.resize(bodies + hands * phalanx_count);
   pairs_.resize(bodies);
   pairs_.add_free(contacts_, contacts_.hand_patches);
-  for (const Body& body : scene.bodies) outward_.push_back(outward_of(body));
+  for (const Body& body : def.bodies) outward_.push_back(outward_of(body));
   body_pairs_.reserve(bodies * (bodies - 1) / 2);
   hand_pairs_.reserve(contacts_.hand_patches);
   candidates_.reserve(contacts_.hand_patches);
@@ -75,11 +66,12 @@ World::World(const Scene& scene, const Options& options) : scene_(scene), option
   resize_for_slots();
   for (const int i : by_rank_) {
     const RigidBody& body = bodies_[std::size_t(i)];
-    if (body.moves()) start_height_ -= body.mass * scene.gravity.dot(body.center());
+    if (body.moves()) start_height_ -= body.mass * def.gravity.dot(body.center());
   }
 }
 
-/// Sums over bodies run from low to high, whatever the order of the scene; equal bodies at equal places are all one.
+/// Sums over bodies run from low to high, whatever the order of the definition; equal bodies at equal places are all
+/// one.
 void World::rank_bodies() {
   by_rank_.resize(bodies_.size());
   std::iota(by_rank_.begin(), by_rank_.end(), 0);
@@ -134,7 +126,7 @@ void World::start(double dt, const std::vector<HandFrame>& hands) {
 
 /// Samples that are inside at t = 0 are in contact from the start.
 void World::start_given(const PatchSlot& patch) {
-  const Hand& hand = scene_.hands[std::size_t(patch.hand)];
+  const HandDef& hand = scene_.hands[std::size_t(patch.hand)];
   const auto given = std::find_if(hand.given.begin(), hand.given.end(),
                                   [&](const GivenPatch& g) { return g.phalanx == patch.phalanx; });
   const Pose X_OW = bodies_[std::size_t(patch.body)].X_WO.inverse();

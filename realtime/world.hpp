@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "cases/model/hand_frame.hpp"
 #include "cases/model/recording.hpp"
-#include "cases/model/scene.hpp"
 #include "realtime/contact/contacts.hpp"
 #include "realtime/detection/body_pairs.hpp"
 #include "realtime/detection/broad_phase.hpp"
@@ -14,6 +14,7 @@
 #include "realtime/phase_clock.hpp"
 #include "realtime/rigid_body.hpp"
 #include "realtime/solve/implicit_step.hpp"
+#include "realtime/world_def.hpp"
 
 namespace handhold::realtime {
 
@@ -40,9 +41,9 @@ void validate(const Options& options);
 /// The real-time path: contact detection, patches, the implicit element, rigid bodies that touch hands and each other
 /// (Höll et al. 2018, sections 3.2 to 3.5, with the convergent element of docs/contact-law.md).
 ///
-/// Deterministic: the same bits for every order of bodies in the scene and of phalanges. Nothing is allocated after
-/// `start`, unless bodies have more than 32 neighbours on average, or samples change their mode more often than four
-/// times a frame on average. Between two frames the hands move along HandPath.
+/// Deterministic: the same bits for every order of bodies in the definition and of phalanges. Nothing is allocated
+/// after `start`, unless bodies have more than 32 neighbours on average, or samples change their mode more often than
+/// four times a frame on average. Between two frames the hands move along HandPath.
 class World {
  public:
   /// A step that was taken: to `fraction` of the frame, `h` seconds long.
@@ -50,13 +51,13 @@ class World {
     double fraction{}, h{};
   };
 
-  /// Throws InputError for a scene without bodies, or with more bodies or hands than a SampleId can name.
-  World(const Scene& scene, const Options& options);
+  /// Throws InputError for a definition or options out of range (`validate`).
+  World(const WorldDef& def, const Options& options);
 
   /// Tells where the hands were at frames before t = 0, oldest first; two of them give the first frame its velocities.
   void observe(double dt, const std::vector<HandFrame>& hands);
 
-  /// Places the hands at t = 0, `dt` after the last frame observed; `hands` holds one frame per hand of the scene.
+  /// Places the hands at t = 0, `dt` after the last frame observed; `hands` holds one frame per hand of the definition.
   void start(double dt, const std::vector<HandFrame>& hands);
 
   /// One frame of `dt` seconds, at whose end the hands are at `hands`.
@@ -67,7 +68,7 @@ class World {
 
   [[nodiscard]] double time() const { return t_; }
   [[nodiscard]] const RigidBody& body() const { return bodies_.front(); }
-  /// In the order of the scene.
+  /// In the order of the definition.
   [[nodiscard]] const std::vector<RigidBody>& bodies() const { return bodies_; }
   [[nodiscard]] const Contacts& contacts() const { return contacts_; }
   /// The sample of a slot now, its force turned with the object to where that is now: an apart one has its anchor below
@@ -161,7 +162,7 @@ class World {
   void book_hand(int body, double power, const Eigen::Vector3d& force, const Eigen::Vector3d& torque,
                  const Scheme& scheme);
 
-  const Scene scene_;
+  const WorldDef scene_;
   const Options options_;
   std::vector<RigidBody> bodies_;
   std::vector<int> rank_, by_rank_;  // of a body in all sums, and the other way round

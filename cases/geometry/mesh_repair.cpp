@@ -10,11 +10,11 @@
 #include <fmt/ranges.h>
 
 #include "cases/geometry/cgal_repair.hpp"
-#include "cases/geometry/mass_properties.hpp"
 #include "cases/geometry/mesh_cleanup.hpp"
 #include "cases/geometry/mesh_topology.hpp"
 #include "cases/geometry/scanline.hpp"
 #include "cases/model/input_error.hpp"
+#include "cases/model/mass_properties.hpp"
 
 namespace handhold {
 namespace {

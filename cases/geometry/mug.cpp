@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 
 #include "cases/geometry/loft.hpp"
-#include "cases/geometry/mass_properties.hpp"
 #include "cases/geometry/shapes.hpp"
 #include "cases/model/input_error.hpp"
+#include "cases/model/mass_properties.hpp"
 
 namespace handhold {
 namespace {

@@ -8,11 +8,11 @@
 #include <fmt/format.h>
 
 #include "cases/geometry/band_distance.hpp"
-#include "cases/geometry/mass_properties.hpp"
 #include "cases/geometry/mesh_topology.hpp"
 #include "cases/geometry/scanline.hpp"
 #include "cases/geometry/triangle_cells.hpp"
 #include "cases/model/input_error.hpp"
+#include "cases/model/mass_properties.hpp"
 
 namespace handhold {
 namespace {

@@ -10,11 +10,11 @@
 
 #include <fmt/format.h>
 
-#include "cases/geometry/mass_properties.hpp"
 #include "cases/hand/grasp_places.hpp"
 #include "cases/hand/grip.hpp"
 #include "cases/hand/trace_spline.hpp"
 #include "cases/model/input_error.hpp"
+#include "cases/model/mass_properties.hpp"
 #include "cases/model/patch.hpp"
 
 namespace handhold {

@@ -51,4 +51,8 @@ struct Body {
   std::function<Load(double t)> load{};  ///< applied besides gravity, smooth in t; empty: none
 };
 
+/// Throws InputError, its sentence beginning with `who` ("body 'cube'"), for what cannot be simulated: no shape, NaN,
+/// mass <= 0, an inertia that no solid can have, mu_d > mu_s, a velocity that the mobility forbids.
+void validate(const Body& body, const std::string& who);
+
 }  // namespace handhold

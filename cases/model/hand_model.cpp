@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cases/model/input_error.hpp"
+#include "cases/model/text.hpp"
 
 namespace handhold {
 namespace {
@@ -31,6 +32,20 @@ int phalanx_from_name(std::string_view name) {
 PhalanxShape HandModel::shape(int phalanx) const {
   if (phalanx == palm) return palm_box;
   return capsules.at(static_cast<std::size_t>(phalanx));
+}
+
+void validate(const HandModel& model, const std::string& who) {
+  constexpr double most = 1;  // [m], of any bone
+  for (std::size_t i = 0; i < model.capsules.size(); ++i) {
+    const auto& [half_length, radius] = model.capsules[i];
+    if (!(half_length >= 0 && half_length <= most && radius > 0 && radius <= most))
+      throw InputError(sentence(who, ": ", names[i], " of half length ", half_length, " m and radius ", radius,
+                                " m: need 0 to 1 m, and a radius above 0 (check the unit)"));
+  }
+  const Eigen::Vector3d& half = model.palm_box.half_extents;
+  if (!(half.allFinite() && half.minCoeff() > 0 && half.maxCoeff() <= most))
+    throw InputError(sentence(who, ": palm of half extents ", half,
+                              " m: must be above 0 and at most 1 m each (check the", " unit)"));
 }
 
 Capsule capsule_of_bone(double length, double radius) { return {length / 2, radius}; }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
 #include <variant>
 
@@ -45,6 +46,10 @@ struct HandModel {
 
   [[nodiscard]] PhalanxShape shape(int phalanx) const;
 };
+
+/// Throws InputError, its sentence beginning with `who` ("hand 0"), for a radius or a half extent that is not above 0
+/// and at most 1 m, or a half length that is not 0 to 1 m.
+void validate(const HandModel& model, const std::string& who);
 
 /// Capsule of a bone between two joints: the segment joins the joints, so neighbours overlap in a ball around the
 /// joint.

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-#include "cases/model/input_error.hpp"
+#include "cases/model/limits.hpp"
 #include "cases/model/triangle_queries.hpp"
 
 namespace handhold {
@@ -24,27 +24,58 @@ void require(bool holds, const char* what) {
   if (!holds) throw InputError(std::string("voxel field: ") + what + " (voxelize the mesh again)");
 }
 
-void check(const VoxelField::Data& data) {
+constexpr int most_nodes = 1 << 20;  // along an axis: so a product of three counts cannot overflow
+
+bool is_length(double x) { return x >= 1e-6 && x <= most_length; }
+
+void check_grid(const VoxelField::Data& data) {
   const Grid& grid = data.grid;
-  require(grid.spacing > 0 && grid.origin.allFinite(), "the grid's spacing must be above 0 and its origin finite");
-  require(grid.size.minCoeff() >= 2, "the grid needs two nodes a side");
-  require(data.band > 0, "the band must be above 0");
+  require(is_length(grid.spacing) && grid.origin.cwiseAbs().maxCoeff() <= most_length && grid.origin.allFinite(),
+          "the grid's spacing must be 1 um to 1 km and its origin no farther than 1 km");
+  require(grid.size.minCoeff() >= 2 && grid.size.maxCoeff() <= most_nodes, "the grid needs 2 to 2^20 nodes a side");
+  require(is_length(data.band), "the band must be 1 um to 1 km");
   require(data.distance.size() == grid.count(), "one distance a node");
+  require(std::all_of(data.distance.begin(), data.distance.end(), [](float d) { return std::isfinite(d); }),
+          "distances must be finite");
   require(data.occupied.size() == (grid.count() + 63) / 64, "one occupancy bit a node");
-  require(data.cell_size > 0 && data.cell_count.minCoeff() >= 1, "the triangle cells need a size and a count");
+}
+
+void check_mesh(const VoxelField::Data& data) {
+  const Mesh& mesh = data.mesh;
+  require(mesh.triangles.size() >= 4, "a solid has at least 4 triangles");
+  const int vertices = static_cast<int>(mesh.vertices.size());
+  for (const auto& triangle : mesh.triangles) {
+    for (const int v : triangle) require(0 <= v && v < vertices, "a triangle names a vertex that does not exist");
+  }
+  const Grid& grid = data.grid;
+  const Vector3d last = grid.node(grid.size.x() - 1, grid.size.y() - 1, grid.size.z() - 1);
+  for (const Vector3d& v : mesh.vertices)  // off the grid a field answers band + distance to the grid
+    require(v.allFinite() && (v - grid.origin).minCoeff() >= data.band && (last - v).minCoeff() >= data.band,
+            "the grid must reach at least the band beyond the solid on every side: more nodes, or less band");
+}
+
+void check_cells(const VoxelField::Data& data) {
+  require(is_length(data.cell_size) && data.cell_origin.allFinite() && data.cell_count.minCoeff() >= 1 &&
+              data.cell_count.maxCoeff() <= most_nodes,
+          "the triangle cells need a size of 1 um to 1 km, an origin and 1 to 2^20 cells a side");
   const auto cells =
       std::size_t(data.cell_count.x()) * std::size_t(data.cell_count.y()) * std::size_t(data.cell_count.z());
   require(data.cell_start.size() == cells + 1, "one start a triangle cell and one more");
   require(data.cell_start.front() == 0 && data.cell_start.back() == data.cell_triangles.size() &&
               std::is_sorted(data.cell_start.begin(), data.cell_start.end()),
           "the starts of the triangle cells must ascend from 0 to the number of entries");
-  const std::size_t triangles = data.mesh.triangles.size();
-  require(std::all_of(data.cell_triangles.begin(), data.cell_triangles.end(), [&](auto t) { return t < triangles; }),
-          "a cell names a triangle that does not exist");
-  const int vertices = static_cast<int>(data.mesh.vertices.size());
-  for (const auto& triangle : data.mesh.triangles) {
-    for (const int v : triangle) require(0 <= v && v < vertices, "a triangle names a vertex that does not exist");
+  std::vector<bool> found(data.mesh.triangles.size(), false);
+  for (const std::uint32_t triangle : data.cell_triangles) {
+    require(triangle < found.size(), "a cell names a triangle that does not exist");
+    found[triangle] = true;
   }
+  require(std::find(found.begin(), found.end(), false) == found.end(), "every triangle must be in a cell");
+}
+
+void check(const VoxelField::Data& data) {
+  check_grid(data);
+  check_mesh(data);
+  check_cells(data);
 }
 
 Vector3d unit_or_zero(const Vector3d& v) {

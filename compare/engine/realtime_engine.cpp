@@ -43,7 +43,7 @@ class RealtimeEngine : public Engine {
     const Scene& scene = std::get<Scene>(problem);
     validate(scene);
     (void)frames_of(scene, options);  // checks them
-    realtime::World world(scene, {.substeps = options.substeps, .order = options.order});
+    realtime::World world(realtime::world_def_of(scene), {.substeps = options.substeps, .order = options.order});
     std::vector<HandFrame> hands(scene.hands.size());
     const double dt = 1 / options.frame_rate;
     for (const double before : {-2 * dt, -dt}) {

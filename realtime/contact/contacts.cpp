@@ -5,7 +5,7 @@
 namespace handhold::realtime {
 namespace {
 
-const GivenPatch* find_given(const Hand& hand, int phalanx) {
+const GivenPatch* find_given(const HandDef& hand, int phalanx) {
   for (const GivenPatch& given : hand.given)
     if (given.phalanx == phalanx) return &given;
   return nullptr;
@@ -24,14 +24,14 @@ void resize(Contacts& contacts, std::size_t size) {
 
 int even(int count) { return count + count % 2; }
 
-int most_samples(const Scene& scene) {
+int most_samples(const WorldDef& def) {
   std::size_t most = 0;
-  for (const Body& body : scene.bodies) most = std::max(most, body.samples_O.size());
+  for (const Body& body : def.bodies) most = std::max(most, body.samples_O.size());
   return int(most);
 }
 
-void add_pool(const Scene& scene, std::size_t patches, Contacts& contacts) {
-  const int count = most_samples(scene);
+void add_pool(const WorldDef& def, std::size_t patches, Contacts& contacts) {
+  const int count = most_samples(def);
   int next = int(contacts.size());
   for (std::size_t i = 0; i < patches; ++i, next += even(count))
     contacts.patches.push_back({.hand = SampleId::of_body, .first = next});
@@ -48,15 +48,15 @@ std::size_t most_pairs(std::size_t bodies) {
 
 }  // namespace
 
-Contacts make_contacts(const Scene& scene) {
+Contacts make_contacts(const WorldDef& def) {
   Contacts contacts;
   int next = 0;
-  for (std::size_t hand = 0; hand < scene.hands.size(); ++hand)
+  for (std::size_t hand = 0; hand < def.hands.size(); ++hand)
     for (int phalanx = 0; phalanx < phalanx_count; ++phalanx) {
-      const GivenPatch* given = find_given(scene.hands[hand], phalanx);
-      if (!given && !scene.hands[hand].given.empty()) continue;
-      for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
-        const int count = given ? int(given->p_P.size()) : scene.patch.samples;
+      const GivenPatch* given = find_given(def.hands[hand], phalanx);
+      if (!given && !def.hands[hand].given.empty()) continue;
+      for (std::size_t body = 0; body < def.bodies.size(); ++body) {
+        const int count = given ? int(given->p_P.size()) : def.patch.samples;
         contacts.patches.push_back({int(hand), phalanx, int(body), next, count, given != nullptr, given != nullptr});
         next += even(count);
       }
@@ -68,14 +68,14 @@ Contacts make_contacts(const Scene& scene) {
       const std::size_t slot = patch.slot(i);
       contacts.id[slot] = {std::uint8_t(patch.hand), std::uint8_t(patch.phalanx), std::uint8_t(patch.body),
                            std::uint8_t(i)};
-      if (patch.given) contacts.p_P.set(slot, find_given(scene.hands[patch.hand], patch.phalanx)->p_P[i]);
+      if (patch.given) contacts.p_P.set(slot, find_given(def.hands[patch.hand], patch.phalanx)->p_P[i]);
     }
-  if (most_samples(scene) > 0) add_pool(scene, most_pairs(scene.bodies.size()), contacts);
+  if (most_samples(def) > 0) add_pool(def, most_pairs(def.bodies.size()), contacts);
   return contacts;
 }
 
-void grow_pool(const Scene& scene, Contacts& contacts) {
-  add_pool(scene, contacts.patches.size() - contacts.hand_patches, contacts);
+void grow_pool(const WorldDef& def, Contacts& contacts) {
+  add_pool(def, contacts.patches.size() - contacts.hand_patches, contacts);
 }
 
 }  // namespace handhold::realtime

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "cases/model/recording.hpp"
-#include "cases/model/scene.hpp"
 #include "realtime/soa.hpp"
+#include "realtime/world_def.hpp"
 
 namespace handhold::realtime {
 
@@ -17,7 +17,7 @@ struct PatchSlot {
   int phalanx{};  ///< of the hand; or the body that the samples belong to
   int body{};     ///< that they touch
   int first{}, count{};
-  bool given{false};  ///< points come from the scene and are never dropped
+  bool given{false};  ///< points come from the definition and are never dropped
   bool active{false};
 
   [[nodiscard]] bool of_body() const { return hand == SampleId::of_body; }
@@ -25,7 +25,7 @@ struct PatchSlot {
   [[nodiscard]] std::size_t slot(int i) const { return std::size_t(first) + std::size_t(i); }
 };
 
-/// All samples that a scene can have, structure of arrays. `first` of every patch is even and what follows an odd
+/// All samples that a world can have, structure of arrays. `first` of every patch is even and what follows an odd
 /// `count` is an idle slot, so that loops may take two samples at a time.
 struct Contacts {
   std::vector<PatchSlot> patches{};  ///< those of hands by (hand, phalanx, body), then the pool for pairs of bodies
@@ -45,11 +45,11 @@ struct Contacts {
   }
 };
 
-/// Reserves a slot for every sample of a hand that can ever exist, and a pool of patches for pairs of bodies. A scene's
-/// given patches are sorted by phalanx.
-[[nodiscard]] Contacts make_contacts(const Scene& scene);
+/// Reserves a slot for every sample of a hand that can ever exist, and a pool of patches for pairs of bodies.
+/// Given patches are sorted by phalanx.
+[[nodiscard]] Contacts make_contacts(const WorldDef& def);
 
 /// Doubles the pool for pairs of bodies: the new patches are the last ones.
-void grow_pool(const Scene& scene, Contacts& contacts);
+void grow_pool(const WorldDef& def, Contacts& contacts);
 
 }  // namespace handhold::realtime

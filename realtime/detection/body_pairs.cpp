@@ -16,11 +16,11 @@ void BodyPairs::add_free(const Contacts& contacts, std::size_t first_patch) {
   for (std::size_t i = contacts.patches.size(); i > first_patch; --i) free_.push_back(int(i - 1));
 }
 
-int BodyPairs::take(const Scene& scene, int target, int source, Contacts& contacts) {
+int BodyPairs::take(const WorldDef& def, int target, int source, Contacts& contacts) {
   const int taken = free_.back();
   free_.pop_back();
   patch_[index(target, source)] = taken;
-  const std::vector<Eigen::Vector3d>& points = scene.bodies[std::size_t(source)].samples_O;
+  const std::vector<Eigen::Vector3d>& points = def.bodies[std::size_t(source)].samples_O;
   PatchSlot& patch = contacts.patches[std::size_t(taken)];
   patch.phalanx = source;
   patch.body = target;

@@ -21,7 +21,7 @@ class BodyPairs {
   /// Patch of the samples of `source` on `target`, -1: none.
   [[nodiscard]] int patch(int target, int source) const { return patch_[index(target, source)]; }
   /// Takes a patch out of the pool.
-  int take(const Scene& scene, int target, int source, Contacts& contacts);
+  int take(const WorldDef& def, int target, int source, Contacts& contacts);
   void give_back(int patch, Contacts& contacts);
 
   /// No free sample of either body is nearer to the other than this [m], < 0: not known. It is known only for pairs

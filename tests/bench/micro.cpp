@@ -20,7 +20,7 @@ constexpr int substeps = 4;
 void loop(benchmark::State& state, const Scene& scene, double begin, double end) {
   try {
     const HandFrames hands = hand_frames(scene, frame_rate);
-    realtime::World world(scene, {.substeps = substeps});
+    realtime::World world(realtime::world_def_of(scene), {.substeps = substeps});
     const double dt = 1 / frame_rate;
     world.observe(dt, hands[0]);
     world.observe(dt, hands[1]);

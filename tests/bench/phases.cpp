@@ -35,7 +35,7 @@ PhaseClock::Seconds time_phases(const Scene& scene, const HandFrames& hands, dou
   const double reading = cost_of_lap();
   std::vector<PhaseClock::Seconds> least(hands.size() - 3);
   for (int round = 0; round < rounds; ++round) {
-    realtime::World world(scene, setting);
+    realtime::World world(realtime::world_def_of(scene), setting);
     PhaseClock clock;
     world.watch(&clock);
     world.observe(dt, hands[0]);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cases/model/scene.hpp"
 #include "realtime/phase_clock.hpp"
 #include "realtime/world.hpp"
 #include "tests/bench/play.hpp"

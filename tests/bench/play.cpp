@@ -26,7 +26,7 @@ HandFrames hand_frames(const Scene& scene, double frame_rate) {
 std::vector<double> play_realtime(const Scene& scene, const HandFrames& hands, double frame_rate,
                                   const realtime::Options& setting) {
   const double dt = 1 / frame_rate;
-  realtime::World world(scene, setting);
+  realtime::World world(realtime::world_def_of(scene), setting);
   world.observe(dt, hands[0]);
   world.observe(dt, hands[1]);
   world.start(dt, hands[2]);

@@ -48,7 +48,7 @@ void put(const World& world, Digest& digest) {
 }
 
 void play(const std::string& name, const Scene& scene, double duration, const Options& options) {
-  World world(scene, options);
+  World world(world_def_of(scene), options);
   for (const double t : {-2 * dt, -dt}) world.observe(dt, frames(scene, t));
   world.start(dt, frames(scene, 0));
   Digest digest;

@@ -6,12 +6,12 @@
 #include <utility>
 #include <vector>
 
-#include "cases/hand/trace_spline.hpp"
-#include "cases/geometry/mass_properties.hpp"
 #include "cases/geometry/shapes.hpp"
 #include "cases/geometry/surface_samples.hpp"
 #include "cases/geometry/voxelizer.hpp"
 #include "cases/hand/trace_builder.hpp"
+#include "cases/hand/trace_spline.hpp"
+#include "cases/model/mass_properties.hpp"
 
 namespace handhold::reference {
 namespace {

@@ -17,8 +17,8 @@ class AuditedTwin {
   AuditedTwin(const Scene& scene, const Options& options, double dt, const std::vector<std::vector<HandFrame>>& before)
       : substeps_(options.substeps),
         dt_(dt),
-        world_(scene, options),
-        twin_(scene, twin_options(options, dt)),
+        world_(world_def_of(scene), options),
+        twin_(world_def_of(scene), twin_options(options, dt)),
         paths_(scene.hands.size(), HandPath(options.longest_bridge)),
         steps_(scene.hands.size()),
         audit_(scene) {

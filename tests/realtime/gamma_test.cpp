@@ -62,7 +62,7 @@ Lift lift(double mass, double stiffness, double damping) {
   scene.hands = {catalogue::hand_of(catalogue::pinch_patches(
                                         edge / 2, 0.003, {}, [](double) { return 0.0; }, path),
                                     1)};
-  World world(scene, {});
+  World world(world_def_of(scene), {});
   std::vector<HandFrame> hands(1);
   const auto place = [&](double t) {
     hands[0].present = true;

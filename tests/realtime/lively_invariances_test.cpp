@@ -69,7 +69,7 @@ std::vector<std::vector<HandFrame>> history(const ChangedScene& scene, double t,
 class Played {
  public:
   Played(const Scene& scene, const Change& change, const Options& options)
-      : scene_(scene, change), frame_(dt * change.time()), world_(scene_.scene(), options) {
+      : scene_(scene, change), frame_(dt * change.time()), world_(world_def_of(scene_.scene()), options) {
     const auto hands = history(scene_, 0, frame_);
     for (std::size_t i = 0; i < 3; ++i) world_.observe(frame_, hands[i]);
     world_.start(frame_, hands[3]);

@@ -8,11 +8,12 @@
 #include <numbers>
 #include <vector>
 
-#include "cases/hand/trace_spline.hpp"
-#include "cases/geometry/mass_properties.hpp"
 #include "cases/geometry/shapes.hpp"
 #include "cases/geometry/voxelizer.hpp"
 #include "cases/hand/trace_builder.hpp"
+#include "cases/hand/trace_spline.hpp"
+#include "cases/model/mass_properties.hpp"
+#include "cases/model/scene.hpp"
 #include "realtime/world.hpp"
 
 namespace handhold::realtime::testing {

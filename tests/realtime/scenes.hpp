@@ -23,7 +23,7 @@ inline std::vector<HandFrame> frames(const Scene& scene, double t) {
 }
 
 inline World started(const Scene& scene, const Options& options, double dt) {
-  World world(scene, options);
+  World world(world_def_of(scene), options);
   for (const double t : {-2 * dt, -dt}) world.observe(dt, frames(scene, t));
   world.start(dt, frames(scene, 0));
   return world;

@@ -19,6 +19,7 @@
 
 #include <Eigen/Geometry>
 
+#include "cases/model/scene.hpp"
 #include "realtime/detection/surface.hpp"
 #include "realtime/world.hpp"
 #include "tests/realtime/audited_sample.hpp"

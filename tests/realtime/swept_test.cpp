@@ -78,7 +78,7 @@ TEST(Swept, AHandThatAppearsDeepInsideIsPushedToTheNearestFace) {
   const auto rest = [](double) -> Vector3d { return Vector3d::Zero(); };
   scene.hands = {finger(rest, {0.01, 0.015, 0.05}, 0.5)};
   const double dt = 1.0 / 90;
-  World world(scene, {.substeps = 1});
+  World world(world_def_of(scene), {.substeps = 1});
   world.start(dt, std::vector<HandFrame>(1));
   for (int k = 1; k <= 3; ++k) world.advance(dt, frames(scene, k * dt));
   const Touching t = touching(world);

@@ -15,7 +15,7 @@ struct WorldTwin {
   static World of(const World& world, const testing::ChangedScene& changed, double dt,
                   const std::vector<std::vector<HandFrame>>& hands) {
     const testing::Change& change = changed.change();
-    World twin(changed.scene(), world.options_);
+    World twin(world_def_of(changed.scene()), world.options_);
     for (std::size_t i = 0; i < twin.bodies_.size(); ++i) place(world.bodies_[i], change, world.t_, twin.bodies_[i]);
     twin.contacts_ = world.contacts_;
     twin.resize_for_slots();  // the pool may have grown

@@ -10,13 +10,13 @@
 
 #include "cases/catalogue/builders/scenes.hpp"
 #include "cases/catalogue/scenes/benchmark_families.hpp"
-#include "cases/geometry/mass_properties.hpp"
 #include "cases/geometry/shapes.hpp"
 #include "cases/geometry/voxelizer.hpp"
 #include "cases/hand/minimum_jerk.hpp"
 #include "cases/hand/trace_builder.hpp"
 #include "cases/hand/trace_spline.hpp"
 #include "cases/model/input_error.hpp"
+#include "cases/model/mass_properties.hpp"
 
 namespace handhold::catalogue {
 namespace {

@@ -11,9 +11,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "cases/input/mesh/binary_file.hpp"
+#include "cases/input/mesh/fingerprint.hpp"
 #include "cases/input/mesh/mesh_reader.hpp"
+#include "cases/model/byte_stream.hpp"
 #include "cases/model/input_error.hpp"
+#include "cases/model/voxel_file.hpp"
 
 namespace handhold {
 namespace {
@@ -23,18 +25,12 @@ namespace fs = std::filesystem;
 // File: magic, version, then sections: length, CRC-32, bytes. Raise the version whenever a section, or what the
 // importer or voxelizer makes of the same input, changes.
 constexpr std::string_view magic = "HANDHOLD-FIELD\n";
-constexpr std::uint32_t version = 1;
+constexpr std::uint32_t version = 2;
 
 std::string key_of(std::string_view bytes, const fs::path& file, double scale, const VoxelOptions& options) {
   // Extension: the same bytes mean something else to another reader.
   return fmt::format("{} {} {} {:a} {:a} {:a}", fingerprint(bytes), bytes.size(), file.extension().string(), scale,
                      options.voxel_size, options.band);
-}
-
-template <class Stream, class Mesh>
-void transfer_mesh(Stream& stream, Mesh& mesh) {
-  stream.list(mesh.vertices);
-  stream.list(mesh.triangles);
 }
 
 template <class Stream, class Imported>
@@ -56,33 +52,14 @@ void transfer_import(Stream& stream, Imported& imported) {
   for (auto& warning : imported.warnings) stream.text(warning);
 }
 
-template <class Stream, class Data>
-void transfer_field(Stream& stream, Data& data) {
-  for (int axis = 0; axis < 3; ++axis) {
-    stream.value(data.grid.origin[axis]);
-    stream.value(data.grid.size[axis]);
-    stream.value(data.cell_origin[axis]);
-    stream.value(data.cell_count[axis]);
-  }
-  stream.value(data.grid.spacing);
-  stream.value(data.band);
-  stream.value(data.cell_size);
-  stream.list(data.occupied);
-  stream.list(data.distance);
-  stream.list(data.cell_start);
-  stream.list(data.cell_triangles);
-}
-
 std::string pack(const std::string& key, const ImportedMesh& imported, const VoxelField& field) {
-  ByteWriter head, mesh, report, voxels, file;
+  ByteWriter head, report, file;
   head.text(key);
-  transfer_mesh(mesh, field.mesh());
   transfer_import(report, imported);
-  transfer_field(voxels, field.data());
   file.value(version);
-  for (const ByteWriter* section : {&head, &mesh, &report, &voxels}) {
-    file.value(crc32(section->bytes()));
-    file.text(section->bytes());
+  for (const std::string& section : {head.bytes(), report.bytes(), pack_voxels(field)}) {
+    file.value(crc32(section));
+    file.text(section);
   }
   return std::string(magic) + file.bytes();
 }
@@ -94,7 +71,7 @@ std::optional<ImportedObject> unpack(std::string_view bytes, const std::string& 
   std::uint32_t written_version = 0;
   file.value(written_version);
   if (written_version != version) return std::nullopt;
-  std::array<std::string, 4> sections;
+  std::array<std::string, 3> sections;
   for (std::string& section : sections) {
     std::uint32_t sum = 0;
     file.value(sum);
@@ -107,18 +84,15 @@ std::optional<ImportedObject> unpack(std::string_view bytes, const std::string& 
   ByteReader(sections[0]).text(written_key);
   if (written_key != key) return std::nullopt;
   ImportedObject object;
-  VoxelField::Data data;
-  ByteReader mesh(sections[1]), report(sections[2]), voxels(sections[3]);
-  transfer_mesh(mesh, data.mesh);
+  ByteReader report(sections[1]);
   transfer_import(report, object.mesh);
-  transfer_field(voxels, data);
-  if (!mesh.done() || !report.done() || !voxels.done()) return std::nullopt;
-  object.mesh.mesh = data.mesh;
+  if (!report.done()) return std::nullopt;
   try {
-    object.field = std::make_shared<const VoxelField>(std::move(data));
+    object.field = unpack_voxels(sections[2], "cache").field;
   } catch (const InputError&) {
     return std::nullopt;
   }
+  object.mesh.mesh = object.field->mesh();
   object.from_cache = true;
   return object;
 }

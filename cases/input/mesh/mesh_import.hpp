@@ -7,9 +7,9 @@
 
 #include <Eigen/Core>
 
-#include "cases/geometry/mass_properties.hpp"
 #include "cases/geometry/mesh_repair.hpp"
 #include "cases/geometry/voxelizer.hpp"
+#include "cases/model/mass_properties.hpp"
 #include "cases/model/mesh.hpp"
 #include "cases/model/voxel_field.hpp"
 

@@ -5,17 +5,17 @@
 
 #include <fmt/format.h>
 
-#include "cases/hand/trace_spline.hpp"
-#include "cases/geometry/mass_properties.hpp"
 #include "cases/geometry/shapes.hpp"
 #include "cases/geometry/surface_samples.hpp"
 #include "cases/geometry/voxelizer.hpp"
 #include "cases/hand/moved_trace.hpp"
+#include "cases/hand/trace_spline.hpp"
 #include "cases/input/mesh/field_cache.hpp"
 #include "cases/input/scene/materials.hpp"
 #include "cases/input/scene/scene_file.hpp"
 #include "cases/input/trace/trace_reader.hpp"
 #include "cases/model/input_error.hpp"
+#include "cases/model/mass_properties.hpp"
 
 namespace handhold {
 namespace {

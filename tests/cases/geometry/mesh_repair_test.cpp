@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include "cases/geometry/mass_properties.hpp"
 #include "cases/geometry/mesh_topology.hpp"
 #include "cases/geometry/shapes.hpp"
 #include "cases/model/input_error.hpp"
+#include "cases/model/mass_properties.hpp"
 #include "tests/cases/geometry/brute_force.hpp"
 
 namespace handhold {

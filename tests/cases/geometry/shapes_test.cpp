@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "cases/geometry/cgal_repair.hpp"
-#include "cases/geometry/mass_properties.hpp"
 #include "cases/geometry/mesh_topology.hpp"
 #include "cases/model/input_error.hpp"
+#include "cases/model/mass_properties.hpp"
 #include "tests/cases/geometry/brute_force.hpp"
 
 namespace handhold {

@@ -6,10 +6,10 @@
 
 #include <gtest/gtest.h>
 
-#include "cases/geometry/mass_properties.hpp"
 #include "cases/geometry/scanline.hpp"
 #include "cases/geometry/shapes.hpp"
 #include "cases/model/input_error.hpp"
+#include "cases/model/mass_properties.hpp"
 #include "tests/cases/geometry/brute_force.hpp"
 
 namespace handhold {

@@ -1,12 +1,12 @@
-#include "cases/input/mesh/binary_file.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "cases/model/byte_stream.hpp"
 
+#include <array>
 #include <bit>
-
-#include <fmt/format.h>
 
 namespace handhold {
 
-static_assert(std::endian::native == std::endian::little, "the cache's format is little-endian");
+static_assert(std::endian::native == std::endian::little, "the binary files are little-endian");
 
 namespace {
 
@@ -29,11 +29,6 @@ constexpr Tables make_tables() {
 
 constexpr Tables tables = make_tables();
 
-std::uint64_t fnv1a(std::string_view bytes, std::uint64_t sum) {
-  for (const char c : bytes) sum = (sum ^ static_cast<unsigned char>(c)) * 0x100000001b3ull;
-  return sum;
-}
-
 }  // namespace
 
 std::uint32_t crc32(std::string_view bytes) {
@@ -48,10 +43,6 @@ std::uint32_t crc32(std::string_view bytes) {
   }
   for (const char c : bytes) sum = sum >> 8 ^ tables[0][(sum ^ static_cast<unsigned char>(c)) & 0xFF];
   return ~sum;
-}
-
-std::string fingerprint(std::string_view bytes) {
-  return fmt::format("{:016x}{:016x}", fnv1a(bytes, 0xcbf29ce484222325ull), fnv1a(bytes, 0x9e3779b97f4a7c15ull));
 }
 
 }  // namespace handhold

@@ -1,6 +1,6 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <cstring>
 #include <string>
@@ -12,9 +12,6 @@ namespace handhold {
 
 /// CRC-32 (IEEE 802.3) of some bytes.
 [[nodiscard]] std::uint32_t crc32(std::string_view bytes);
-
-/// 128 bits that tell byte strings apart (two FNV-1a sums with different starts, in hexadecimal). Not against forgery.
-[[nodiscard]] std::string fingerprint(std::string_view bytes);
 
 /// Appends values as little-endian bytes: this program runs on little-endian machines only (checked at compile time).
 class ByteWriter {
@@ -39,7 +36,8 @@ class ByteWriter {
   std::string bytes_;
 };
 
-/// Reads what ByteWriter wrote. Running past the end sets `failed` and gives zeros.
+/// Reads what ByteWriter wrote. Running past the end sets `failed` and gives zeros; a list is never longer than the
+/// bytes that are left.
 class ByteReader {
  public:
   explicit ByteReader(std::string_view bytes) : rest_(bytes) {}
@@ -58,6 +56,7 @@ class ByteReader {
     items.resize(failed_ ? 0 : n);
     if (!items.empty()) std::memcpy(static_cast<void*>(items.data()), bytes.data(), bytes.size());
   }
+  [[nodiscard]] std::string_view rest() const { return rest_; }
   [[nodiscard]] bool failed() const { return failed_; }
   [[nodiscard]] bool done() const { return !failed_ && rest_.empty(); }
 

@@ -1,4 +1,4 @@
-#include "cases/geometry/mass_properties.hpp"
+#include "cases/model/mass_properties.hpp"
 
 #include <cmath>
 

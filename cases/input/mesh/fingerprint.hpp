@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace handhold {
+
+/// 128 bits that tell byte strings apart (two FNV-1a sums with different starts, in hexadecimal). Not against forgery.
+[[nodiscard]] std::string fingerprint(std::string_view bytes);
+
+}  // namespace handhold
