@@ -55,6 +55,13 @@ function(handhold_module name)
   install(TARGETS handhold_${name} EXPORT handholdTargets)
 endfunction()
 
+# handhold_shareable(<name>): the library's objects may become part of a shared one, too. A function that calls another of its
+# own file calls that one: without the option no such call could be inlined.
+function(handhold_shareable name)
+  set_target_properties(handhold_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_compile_options(handhold_${name} PRIVATE -fno-semantic-interposition)
+endfunction()
+
 # handhold_isolated(<name> SOURCES <file>... LINK <target>... OPTIONS <flag>... [PRECOMPILE <header>...])
 #
 # An object library for the few files that include a package whose flags or headers must not reach the others (CGAL adds

@@ -59,11 +59,12 @@ void add_voxelize(CLI::App& app, Invocation&) {
   command->add_option("--scale", options->scale, "file units to metres, e.g. 0.001 for millimetres")
       ->check(number_in(1e-9, 1e9))
       ->capture_default_str();
-  command->add_option("--out", options->out, "write the voxels as a .hhvox file (docs/hhvox.md)");
+  CLI::Option* out = command->add_option("--out", options->out, "write the voxels as a .hhvox file (docs/hhvox.md)");
   command
       ->add_option("--sample-spacing", options->sample_spacing_mm,
                    "with --out: also write points that touch other bodies, at most so far apart [mm]")
-      ->check(number_in(0.01, 1e6));
+      ->check(number_in(0.01, 1e6))
+      ->needs(out);
   command->footer(
       "Examples:\n  handhold voxelize mug.obj\n  handhold voxelize part.stl --scale 0.001 --voxel-size 0.5\n  handhold "
       "voxelize shape:mug,height=0.12 --out mug.hhvox");

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "cases/geometry/shapes.hpp"
-#include "cases/input/mesh/binary_file.hpp"
+#include "cases/model/byte_stream.hpp"
 #include "cases/model/input_error.hpp"
 #include "tests/cases/input/mesh_files.hpp"
 
