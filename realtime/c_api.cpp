@@ -1,29 +1,26 @@
-#include <algorithm>
-#include <cmath>
-#include <cstring>
-#include <memory>
-#include <new>
+// SPDX-License-Identifier: Apache-2.0
 #include <string>
 #include <utility>
-#include <vector>
 
-#include "cases/model/input_error.hpp"
+#include "realtime/c_support.hpp"
 #include "realtime/gamma.hpp"
-#include "realtime/handhold.h"
 #include "realtime/paper/hand_contact.hpp"
 
+using handhold::HandFrame;
 using handhold::HandModel;
 using handhold::InputError;
 using handhold::PatchOptions;
 using handhold::phalanx_count;
-using handhold::Pose;
 using handhold::VoxelField;
-using handhold::HandFrame;
+using handhold::c::guarded;
+using handhold::c::is_unit;
+using handhold::c::model_of;
+using handhold::c::pose;
+using handhold::c::read_frames;
+using handhold::c::require;
+using handhold::c::store;
+using handhold::c::vector;
 namespace paper = handhold::realtime::paper;
-
-struct hh_field {
-  std::shared_ptr<const VoxelField> field;
-};
 
 struct hh_contact {
   std::shared_ptr<const VoxelField> field;
@@ -35,46 +32,8 @@ struct hh_contact {
 
 namespace {
 
-static_assert(HH_PHALANGES == phalanx_count);
-
-int fail(hh_error* error, int code, const char* message) {
-  if (!error) return code;
-  error->code = code;
-  std::strncpy(error->message, message, HH_ERROR_LENGTH - 1);
-  error->message[HH_ERROR_LENGTH - 1] = '\0';
-  return code;
-}
-
-/// Runs `work` and turns what it throws into a code: nothing may fly through C.
-template <class Work>
-int guarded(hh_error* error, const Work& work) {
-  try {
-    work();
-    return fail(error, HH_OK, "");
-  } catch (const InputError& wrong) {
-    return fail(error, HH_WRONG_INPUT, wrong.what());
-  } catch (const std::bad_alloc&) {
-    return fail(error, HH_NO_MEMORY, "no memory left");
-  } catch (const std::exception& bug) {
-    return fail(error, HH_BUG, bug.what());
-  } catch (...) {
-    return fail(error, HH_BUG, "an exception that is not a std::exception");
-  }
-}
-
-void require(bool holds, const char* rule) {
-  if (!holds) throw InputError(rule);
-}
-
-Eigen::Vector3d vector(const double* v) { return {v[0], v[1], v[2]}; }
-
-void store(const Eigen::Vector3d& v, double* out) { std::copy_n(v.data(), 3, out); }
-
-Pose pose(const hh_pose& x) { return {Eigen::Quaterniond(x.q[0], x.q[1], x.q[2], x.q[3]).normalized(), vector(x.p)}; }
-
 paper::BodyMotion motion(const hh_body& body) {
-  const double norm = Eigen::Map<const Eigen::Vector4d>(body.pose.q).norm();
-  require(std::abs(norm - 1) < 1e-3, "body pose: the quaternion must be a unit one (w, x, y, z)");
+  require(is_unit(body.pose), "body pose: the quaternion must be a unit one (w, x, y, z)");
   const paper::BodyMotion m{pose(body.pose), vector(body.velocity), vector(body.angular_velocity)};
   require(m.X_WO.p.allFinite() && m.v.allFinite() && m.w.allFinite(), "body: position and velocities must be finite");
   return m;
@@ -128,52 +87,6 @@ std::unique_ptr<paper::HandContact> make(const hh_contact& c, const hh_options& 
                                               options_of(o), c.models, patch_of(o));
 }
 
-HandModel model_of(const hh_hand& hand) {
-  HandModel model;
-  for (std::size_t i = 0; i < 15; ++i) {
-    require(std::isfinite(hand.half_length[i]) && hand.half_length[i] >= 0, "hand: half lengths must not be negative");
-    require(std::isfinite(hand.radius[i]) && hand.radius[i] > 0, "hand: radii must be above 0");
-    model.capsules[i] = {hand.half_length[i], hand.radius[i]};
-  }
-  model.palm_box.half_extents = vector(hand.palm);
-  require(model.palm_box.half_extents.allFinite() && model.palm_box.half_extents.minCoeff() > 0,
-          "hand: the palm's half extents must be above 0");
-  return model;
-}
-
-VoxelField::Data data_of(const hh_field_data& d) {
-  require(d.vertices && d.triangles && d.distances && d.occupied && d.cell_start && d.cell_triangles,
-          "field: a list is missing (all six are needed)");
-  require(d.vertex_count > 0 && d.triangle_count > 0, "field: needs vertices and triangles");
-  require(std::min({d.grid_size[0], d.grid_size[1], d.grid_size[2]}) >= 2, "field: the grid needs two nodes a side");
-  require(std::min({d.cell_count[0], d.cell_count[1], d.cell_count[2]}) >= 1, "field: needs a cell along every axis");
-  VoxelField::Data data;
-  for (int i = 0; i < d.vertex_count; ++i) data.mesh.vertices.push_back(vector(d.vertices + 3 * std::ptrdiff_t(i)));
-  for (int i = 0; i < d.triangle_count; ++i) {
-    const int* t = d.triangles + 3 * std::ptrdiff_t(i);
-    data.mesh.triangles.push_back({t[0], t[1], t[2]});
-  }
-  data.grid.origin = vector(d.grid_origin);
-  data.grid.spacing = d.grid_spacing;
-  data.grid.size = {d.grid_size[0], d.grid_size[1], d.grid_size[2]};
-  data.band = d.band;
-  const Eigen::Vector3d last = data.grid.node(d.grid_size[0] - 1, d.grid_size[1] - 1, d.grid_size[2] - 1);
-  for (const Eigen::Vector3d& v : data.mesh.vertices)  // off the grid a field answers band + distance to the grid
-    require((v - data.grid.origin).minCoeff() >= d.band && (last - v).minCoeff() >= d.band,
-            "field: the grid must reach at least the band beyond the solid on every side (more nodes, or less band)");
-  const std::size_t nodes = data.grid.count();
-  data.distance.assign(d.distances, d.distances + nodes);
-  data.occupied.assign((nodes + 63) / 64, 0);
-  for (std::size_t i = 0; i < nodes; ++i) data.occupied[i / 64] |= std::uint64_t(d.occupied[i] != 0) << (i % 64);
-  data.cell_size = d.cell_size;
-  data.cell_origin = vector(d.cell_origin);
-  data.cell_count = {d.cell_count[0], d.cell_count[1], d.cell_count[2]};
-  const std::size_t cells = std::size_t(d.cell_count[0]) * std::size_t(d.cell_count[1]) * std::size_t(d.cell_count[2]);
-  data.cell_start.assign(d.cell_start, d.cell_start + cells + 1);
-  data.cell_triangles.assign(d.cell_triangles, d.cell_triangles + d.cell_triangle_count);
-  return data;
-}
-
 void to_c(const paper::Options& p, const PatchOptions& patch, hh_options& o) {
   o = {};
   o.stiffness = p.stiffness;
@@ -197,17 +110,7 @@ void to_c(const paper::Options& p, const PatchOptions& patch, hh_options& o) {
 
 }  // namespace
 
-const char* hh_version(void) { return "0.1.0"; }
-
-int hh_field_create(const hh_field_data* data, hh_field** field, hh_error* error) {
-  return guarded(error, [&] {
-    require(data && field, "hh_field_create: data and field must not be null");
-    *field = nullptr;
-    *field = new hh_field{std::make_shared<const VoxelField>(data_of(*data))};
-  });
-}
-
-void hh_field_destroy(hh_field* field) { delete field; }
+const char* hh_version(void) { return HANDHOLD_VERSION; }
 
 int hh_options_init(int law, hh_options* options, hh_error* error) {
   return guarded(error, [&] {
@@ -270,10 +173,7 @@ int hh_contact_step(hh_contact* contact, double dt, const hh_hand_frame* hands, 
     require(contact && hands && body && wrench, "hh_contact_step: contact, hands, body and wrench must not be null");
     require(std::isfinite(dt) && dt > 0, "dt: must be above 0 s");
     const paper::BodyMotion m = motion(*body);
-    for (std::size_t i = 0; i < contact->frames.size(); ++i) {
-      contact->frames[i].present = hands[i].present != 0;
-      for (int k = 0; k < phalanx_count; ++k) contact->frames[i].X_WP[std::size_t(k)] = pose(hands[i].phalanx[k]);
-    }
+    read_frames(hands, contact->frames);
     store(contact->contact->frame(dt, contact->frames, m), wrench);
   });
 }
