@@ -18,7 +18,6 @@ using handhold::c::model_of;
 using handhold::c::pose;
 using handhold::c::read_frames;
 using handhold::c::require;
-using handhold::c::store;
 using handhold::c::vector;
 namespace paper = handhold::realtime::paper;
 
@@ -31,6 +30,8 @@ struct hh_contact {
 };
 
 namespace {
+
+using handhold::c::store;
 
 paper::BodyMotion motion(const hh_body& body) {
   require(is_unit(body.pose), "body pose: the quaternion must be a unit one (w, x, y, z)");

@@ -146,6 +146,82 @@ static void test_push(hh_contact* contact, const hh_hand* hand, hh_error* error)
   CHECK(hh_contact_step(contact, 1.0 / 90, &frame, &body, &wrench, error) == HH_WRONG_INPUT);
 }
 
+/* What a world refuses, with a sentence, and how it is while nothing touches. */
+static void test_world(const hh_field* field, const hh_hand* hand, hh_error* error) {
+  hh_world_def def = hh_world_def_default(), zero;
+  hh_body_def cube = hh_body_def_default(), wrong;
+  hh_hand_frame frame;
+  hh_world* world = NULL;
+  hh_body state;
+  hh_energy energy;
+  int k;
+  cube.field = field;
+  cube.mass = 0.2;
+  CHECK(hh_field_solid(field, cube.mass, cube.center_of_mass, cube.inertia, error) == HH_OK);
+  NEAR(cube.inertia[0], 0.2 * 4 * half * half / 6, 1e-15); /* m a^2 / 6 */
+  NEAR(cube.inertia[1], 0, 1e-18);
+  cube.start.angular_velocity[2] = 1;
+  def.bodies = &cube;
+  def.body_count = 1;
+  def.hands = hand;
+  def.hand_count = 1;
+  memset(&zero, 0, sizeof zero);
+  CHECK(hh_world_create(&zero, &world, error) == HH_WRONG_INPUT && world == NULL);
+  CHECK(strstr(error->message, "hh_world_def_default") != NULL);
+  CHECK(hh_world_create(NULL, &world, error) == HH_WRONG_INPUT);
+#define REFUSED(member, value)                                                              \
+  wrong = cube;                                                                             \
+  wrong.member = value;                                                                     \
+  def.bodies = &wrong;                                                                      \
+  CHECK(hh_world_create(&def, &world, error) == HH_WRONG_INPUT && world == NULL);           \
+  CHECK(strstr(error->message, "body 0") == error->message && strchr(error->message, '(')); \
+  def.bodies = &cube
+  REFUSED(cookie, 0);
+  REFUSED(field, NULL);
+  REFUSED(mobility, 3);
+  REFUSED(mass, -1);
+  REFUSED(mu_dynamic, 2);
+  REFUSED(start.pose.q[0], 2);
+  REFUSED(touches_bodies, 1); /* its field has no samples */
+  def.substeps = 0;
+  CHECK(hh_world_create(&def, &world, error) == HH_WRONG_INPUT);
+  def.substeps = 1;
+  def.body_count = 0;
+  CHECK(hh_world_create(&def, &world, error) == HH_WRONG_INPUT);
+  def.body_count = 1;
+  CHECK(hh_world_create(&def, &world, error) == HH_OK);
+  if (!world) return;
+  place(&frame, hand, 0, -1);
+  CHECK(hh_world_step(world, 0.01, NULL, error) == HH_WRONG_INPUT);
+  CHECK(hh_world_step(world, NAN, &frame, error) == HH_WRONG_INPUT);
+  frame.phalanx[3].q[0] = 2;
+  CHECK(hh_world_step(world, 0.01, &frame, error) == HH_WRONG_INPUT);
+  frame.phalanx[3].q[0] = 1;
+  for (k = 0; k <= 10; ++k) CHECK(hh_world_step(world, 0.01, &frame, error) == HH_OK);
+  NEAR(hh_world_time(world), 0.1, 1e-12);
+  CHECK(hh_world_body(world, 1, &state, error) == HH_WRONG_INPUT);
+  CHECK(hh_world_body(world, 0, &state, error) == HH_OK);
+  NEAR(state.velocity[2], -0.981, 1e-12);
+  NEAR(state.pose.p[2], -9.81 * 0.01 * 0.01 * 55, 1e-12); /* implicit Euler: g h^2 (1 + 2 + ... + 10) */
+  NEAR(2 * atan2(state.pose.q[3], state.pose.q[0]), 0.1, 1e-12);
+  CHECK(hh_world_touches(world, NULL, 0) == 0 && hh_world_events(world, NULL, 0) == 0);
+  CHECK(hh_world_touches(NULL, NULL, 0) == -1 && hh_world_events(NULL, NULL, 0) == -1);
+  CHECK(hh_world_energy(world, &energy, error) == HH_OK);
+  NEAR(energy.kinetic, 0.5 * 0.2 * 0.981 * 0.981 + 0.5 * cube.inertia[0], 1e-12);
+  CHECK(hh_world_unconverged(world) == 0 && hh_world_unconverged(NULL) == -1);
+  hh_world_destroy(world);
+  hh_world_destroy(NULL);
+}
+
+static void test_files(hh_error* error) {
+  hh_field* field = NULL;
+  CHECK(hh_field_load("there/is/none.hhvox", &field, error) == HH_WRONG_INPUT && field == NULL);
+  CHECK(strstr(error->message, "none.hhvox: ") != NULL);
+  CHECK(hh_field_load(NULL, &field, error) == HH_WRONG_INPUT);
+  CHECK(hh_field_from_bytes("HHVOX", 5, &field, error) == HH_WRONG_INPUT && field == NULL);
+  CHECK(hh_field_from_bytes(NULL, 5, &field, error) == HH_WRONG_INPUT);
+}
+
 int main(void) {
   hh_error error;
   hh_options options;
@@ -155,12 +231,14 @@ int main(void) {
   hh_field* field;
   double stiffness = 0;
   memset(&error, 0, sizeof error);
-  CHECK(strcmp(hh_version(), "0.1.0") == 0);
+  CHECK(strcmp(hh_version(), HANDHOLD_VERSION) == 0);
   field = make_cube(&error);
   hh_hand_mean(1, &hand);
   CHECK(hh_options_init(HH_PAPER, &options, &error) == HH_OK);
   CHECK(hh_options_init(7, &options, &error) == HH_WRONG_INPUT);
   CHECK(hh_contact_create(field, &object, &hand, 1, &options, &contact, &error) == HH_OK);
+  test_world(field, &hand, &error);
+  test_files(&error);
   hh_field_destroy(field); /* the contact keeps what it needs */
   if (contact) test_push(contact, &hand, &error);
   options.stiffness = -1;
