@@ -16,6 +16,7 @@
 
 #include "cases/hand/keyframed_hand.hpp"
 #include "cases/input/trace/trace_csv.hpp"
+#include "cases/model/voxel_file.hpp"
 
 namespace handhold::reports {
 namespace {
@@ -101,7 +102,8 @@ INSTANTIATE_TEST_SUITE_P(
                     "voxelize", "voxelize missing.obj", "voxelize empty", "voxelize noise.obj", "voxelize .",
                     "voxelize shape:", "voxelize shape:potato", "voxelize shape:box,x", "voxelize shape:box,x=1m",
                     "voxelize shape:box,x=-1", "voxelize shape:box --scale 0", "voxelize shape:box --voxel-size -1",
-                    "voxelize shape:box,x=1e30",  //
+                    "voxelize shape:box,x=1e30", "voxelize shape:box --out no/such/x.hhvox",
+                    "voxelize shape:box --sample-spacing 5", "voxelize shape:box --sample-spacing 1 --out x.hhvox",  //
                     "trace", "trace info", "trace info missing", "trace info empty", "trace info noise.json",
                     "trace info .", "trace convert empty out.csv", "trace convert missing"));
 
@@ -176,6 +178,15 @@ TEST_F(CommandLine, VoxelizeAgreesWithTheVolumeOfABox) {  // 60 mm cube: 216 cmÂ
   EXPECT_EQ(result.exit_code, 0) << result.error;
   EXPECT_NE(result.out.find("60.0 x 60.0 x 60.0 mm"), std::string::npos) << result.out;
   EXPECT_NE(result.out.find("216 cmÂ³"), std::string::npos) << result.out;
+}
+
+TEST_F(CommandLine, VoxelizeWritesAFileOfVoxels) {
+  const Result result =
+      run("voxelize shape:box,x=0.06,y=0.06,z=0.06 --voxel-size 2 --sample-spacing 60 --out box.hhvox");
+  EXPECT_EQ(result.exit_code, 0) << result.error;
+  const VoxelFile file = read_voxel_file(root / "box.hhvox");
+  EXPECT_EQ(file.field->occupied_count(), 27000u);
+  EXPECT_EQ(file.samples_O.size(), 8u);  // its corners
 }
 
 TEST_F(CommandLine, OutputThatCannotBeWrittenIsAnError) {
