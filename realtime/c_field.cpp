@@ -98,7 +98,7 @@ int hh_field_solid(const hh_field* field, double mass, double center_of_mass[3],
     require(solid.volume > 0,
             "field: its surface must enclose a volume (triangles counter-clockwise seen from outside)");
     store(solid.center, center_of_mass);
-    Eigen::Map<Eigen::Matrix3d>(inertia, 3, 3) = mass / solid.volume * solid.inertia;  // symmetric
+    Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(inertia, 3, 3) = mass / solid.volume * solid.inertia;
   });
 }
 

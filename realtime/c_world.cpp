@@ -86,7 +86,7 @@ WorldDef def_of(const hh_world_def& d) {
 }
 
 void check_frame(double dt) {
-  if (!(dt > 0 && dt <= longest_frame)) throw InputError(sentence("dt ", dt, " s: must be above 0 and at most 1 s"));
+  if (!(dt > 0 && dt <= longest_frame)) throw InputError(sentence("dt ", dt, " s: must be above 0 and at most 1 s (give seconds)"));
 }
 
 hh_body state_of(const RigidBody& body) {
@@ -165,7 +165,7 @@ int hh_world_create(const hh_world_def* def, hh_world** world, hh_error* error) 
     options.longest_bridge = def->longest_bridge;
     options.longest_turn = def->longest_turn;
     const WorldDef made = def_of(*def);
-    *world = new hh_world{World(made, options), std::vector<HandFrame>(made.hands.size())};
+    *world = new hh_world{World(made, options), std::vector<HandFrame>(made.hands.size()), false};
   });
 }
 

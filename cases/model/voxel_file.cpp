@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cases/model/voxel_file.hpp"
 
+#include <cstdint>
 #include <fstream>
 #include <iterator>
 #include <utility>

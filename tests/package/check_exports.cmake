@@ -10,9 +10,8 @@ list(TRANSFORM shown STRIP)
 list(SORT shown)
 
 file(READ "${HEADER}" header)
-string(REGEX REPLACE "/\\*([^*]|\\*[^/])*\\*/" "" header "${header}")
-string(REGEX MATCHALL "hh_[a-z_]+\\(" declared "${header}")
-list(TRANSFORM declared REPLACE "\\(" "")
+string(REGEX MATCHALL "\n[a-z][a-z_ *]* hh_[a-z_]+\\(" declared "${header}")
+list(TRANSFORM declared REPLACE ".*(hh_[a-z_]+)\\(" "\\1")
 list(SORT declared)
 
 list(LENGTH declared count)

@@ -4,7 +4,8 @@ set(prefix "${PROJECT_BINARY_DIR}/prefix")
 set(alone "${PROJECT_BINARY_DIR}/prefix_realtime")
 set(cube "${PROJECT_BINARY_DIR}/package/cube.hhvox")
 file(MAKE_DIRECTORY "${PROJECT_BINARY_DIR}/package")
-set(same_compiler "-DCMAKE_BUILD_TYPE=${CMAKE_BUILD_TYPE}" "-DCMAKE_CXX_FLAGS=${CMAKE_CXX_FLAGS}"
+string(TOUPPER "CMAKE_CXX_FLAGS_${CMAKE_BUILD_TYPE}" of_type)
+set(same_compiler "-DCMAKE_BUILD_TYPE=${CMAKE_BUILD_TYPE}" "-D${of_type}=${${of_type}}" "-DCMAKE_CXX_FLAGS=${CMAKE_CXX_FLAGS}"
   "-DCMAKE_C_FLAGS=${CMAKE_CXX_FLAGS}" "-DCMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}")
 
 add_test(NAME package.clear COMMAND ${CMAKE_COMMAND} -E rm -rf "${prefix}" "${alone}")  # of headers that are no more

@@ -22,7 +22,7 @@ WorldDef struck_cube() {
   }
   def.bodies[0].X_WO.p = {0.01, 0, 0.025};
   def.bodies[0].V_WO = {{0, 0, 1}, {0.2, 0, 0}};
-  def.hands = {{}};
+  def.hands.resize(1);
   return def;
 }
 
@@ -132,7 +132,7 @@ TEST(WorldDef, IsCheckedMemberByMember) {
     WorldDef def = struck_cube();
     change(def);
     try {
-      World(def, {});
+      (void)World(def, {});
       ADD_FAILURE() << "taken: " << word;
     } catch (const InputError& error) {
       EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();

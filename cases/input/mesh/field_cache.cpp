@@ -1,5 +1,6 @@
 #include "cases/input/mesh/field_cache.hpp"
 
+#include <array>
 #include <cctype>
 #include <chrono>
 #include <cstdlib>

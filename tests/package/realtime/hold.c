@@ -69,15 +69,15 @@ int main(int argc, char** argv) {
   hh_body cube;
   hh_touch touches[64];
   hh_event events[256];
-  int k, count = 0, code, slips = 0;
+  int i, k, count = 0, code, slips = 0;
   double sag;
   hh_hand_mean(1, &hand);
   code = make_world(argc > 1 ? argv[1] : NULL, &hand, &world, &error);
   for (k = 0; code == HH_OK && k * frame <= end; ++k) { /* the first step places the hand at t = 0 */
     place(&hand, k * frame, &hands);
     code = hh_world_step(world, frame, &hands, &error);
-    for (count = hh_world_events(world, events, 256); count > 0; --count)
-      slips += events[count - 1].kind == HH_BREAKAWAY;
+    count = hh_world_events(world, events, 256);
+    for (i = 0; i < count && i < 256; ++i) slips += events[i].kind == HH_BREAKAWAY;
   }
   if (code == HH_OK) code = hh_world_body(world, 0, &cube, &error);
   if (code != HH_OK) {

@@ -89,7 +89,7 @@ rt::WorldDef world_def(std::shared_ptr<const VoxelField> field) {
   cube.held_until = 0.3;  // until the fingers have it
   rt::WorldDef def;
   def.bodies = {cube};
-  def.hands = {{}};  // the mean adult hand
+  def.hands.resize(1);  // the mean adult hand
   return def;
 }
 
