@@ -1,6 +1,6 @@
-# handhold_module(<name> SOURCES <file>... [PUBLIC <target>...] [PRIVATE <target>...])
+# handhold_module(<name> SOURCES <file>... [PUBLIC <target>...] [PRIVATE <target>...] [SHAREABLE])
 #
-# Declares the static library handhold::<name>. Headers lie beside the sources and are included from the repository's root
+# Declares the static library handhold::<name>; SHAREABLE: its objects may become part of a shared one. Headers lie beside the sources and are included from the repository's root
 # ("<folder>/x.hpp"); they install to include/handhold/<folder>/.
 include_guard()
 
@@ -36,7 +36,7 @@ function(handhold_precompile target kind)
 endfunction()
 
 function(handhold_module name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;PUBLIC;PRIVATE")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "SHAREABLE" "" "SOURCES;PUBLIC;PRIVATE")
   add_library(handhold_${name} STATIC ${arg_SOURCES})
   add_library(handhold::${name} ALIAS handhold_${name})
   set_target_properties(handhold_${name} PROPERTIES EXPORT_NAME ${name})
@@ -47,19 +47,17 @@ function(handhold_module name)
   target_link_libraries(handhold_${name}
     PUBLIC ${arg_PUBLIC}
     PRIVATE ${arg_PRIVATE} "$<BUILD_INTERFACE:handhold_flags>")
-  if("fmt::fmt" IN_LIST arg_PRIVATE)
+  if(arg_SHAREABLE)
+    set_target_properties(handhold_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    # Without it no function that others may see could be inlined into its neighbours.
+    target_compile_options(handhold_${name} PRIVATE -fno-semantic-interposition)
+    handhold_precompile(handhold_${name} shareable OPTIONS -fPIC -fno-semantic-interposition)
+  elseif("fmt::fmt" IN_LIST arg_PRIVATE)
     handhold_precompile(handhold_${name} fmt LINK fmt::fmt HEADERS <fmt/format.h>)
   else()
     handhold_precompile(handhold_${name} plain)
   endif()
   install(TARGETS handhold_${name} EXPORT handholdTargets)
-endfunction()
-
-# handhold_shareable(<name>): the library's objects may become part of a shared one, too. A function that calls another of its
-# own file calls that one: without the option no such call could be inlined.
-function(handhold_shareable name)
-  set_target_properties(handhold_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
-  target_compile_options(handhold_${name} PRIVATE -fno-semantic-interposition)
 endfunction()
 
 # handhold_isolated(<name> SOURCES <file>... LINK <target>... OPTIONS <flag>... [PRECOMPILE <header>...])
