@@ -86,7 +86,8 @@ WorldDef def_of(const hh_world_def& d) {
 }
 
 void check_frame(double dt) {
-  if (!(dt > 0 && dt <= longest_frame)) throw InputError(sentence("dt ", dt, " s: must be above 0 and at most 1 s (give seconds)"));
+  if (!(dt > 0 && dt <= longest_frame))
+    throw InputError(sentence("dt ", dt, " s: must be above 0 and at most 1 s (give seconds)"));
 }
 
 hh_body state_of(const RigidBody& body) {
