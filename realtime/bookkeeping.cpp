@@ -3,15 +3,6 @@
 // Events, energy, and what a world tells about its samples.
 
 namespace handhold::realtime {
-namespace {
-
-EventKind kind_of(Mode from, Mode to) {
-  if (from == Mode::apart) return EventKind::touch;
-  if (to == Mode::apart) return EventKind::release;
-  return to == Mode::slip ? EventKind::breakaway : EventKind::restick;
-}
-
-}  // namespace
 
 void World::set_mode(std::size_t slot, Mode mode, double h) {
   const Mode from = contacts_.mode[slot];
@@ -22,7 +13,7 @@ void World::set_mode(std::size_t slot, Mode mode, double h) {
   if (mode == Mode::apart && contacts_.id[slot].belongs_to_body())
     pairs_.set_clearance(contacts_.id[slot].body, contacts_.id[slot].phalanx, step_, 0);
   moments_[std::size_t(patch_of_slot_[slot])].stale = true;
-  events_.push_back({t_ + h, h, kind_of(from, mode), contacts_.id[slot], bodies_[contacts_.id[slot].body].state()});
+  events_.push_back({t_ + h, h, change_of(from, mode), contacts_.id[slot], bodies_[contacts_.id[slot].body].state()});
 }
 
 /// A spring that lets go keeps nothing.

@@ -31,6 +31,12 @@ struct Measure {
     force,                 ///< on body 0 along `axis` by the chosen samples, on the frame `at` [N]
     torque,                ///< the same's torque about the axis through `point` [N m]
     dissipated,            ///< energy lost to friction and dampers since t = 0, on the frame `at` [J]
+    force_sum,             ///< of `force` over the frames from `from` to `at`, of samples in `mode` only if given [N]
+    mode_count,            ///< samples in `mode`, summed over the frames from `from` to `at`
+    lag,                   ///< p − C along `axis`, mean of the chosen samples, on the frame `at` [m]
+    work,                  ///< that contacts took from the phalanges between `from` and `at`, negative: gave; by the
+                           ///< trapezoidal rule over the frames, of the chosen samples, on an object at rest [J]
+    growth,                ///< of an oscillation per frame, between the frames `from` and `at`; see contact_measure.hpp
   };
   Kind kind{Kind::displacement};
   EventKind event{EventKind::touch};
@@ -38,8 +44,10 @@ struct Measure {
   Eigen::Vector3d axis{Eigen::Vector3d::UnitX()};  ///< unit, in W
   std::optional<double> at{};                      ///< the instant [s]; nothing: the instant of the event
   double level{};
-  int phalanx{-1}, sample{-1};                     ///< of `force` and `torque`: -1 stands for all
+  int phalanx{-1}, sample{-1};                     ///< of what is read off contacts: -1 stands for all
   Eigen::Vector3d point{Eigen::Vector3d::Zero()};  ///< in W [m]
+  std::optional<double> from{};                    ///< where a sum over frames begins [s]; nothing: at `at`
+  std::optional<Mode> mode{};
 };
 
 /// How far a measured value may lie from the truth, and why: value + per_accuracy a + per_step h. It is derived from

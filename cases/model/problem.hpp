@@ -3,6 +3,7 @@
 #include <string_view>
 #include <variant>
 
+#include "cases/model/printed_problem.hpp"
 #include "cases/model/rigid_problem.hpp"
 #include "cases/model/scene.hpp"
 
@@ -21,14 +22,17 @@ enum class Level {
 }
 
 /// What an engine is asked to simulate.
-using Problem = std::variant<Scene, RigidProblem>;
+using Problem = std::variant<Scene, RigidProblem, PrintedProblem>;
 
 [[nodiscard]] inline Level level_of(const Problem& problem) {
-  return std::holds_alternative<RigidProblem>(problem) ? Level::rigid : Level::compliant;
+  if (std::holds_alternative<RigidProblem>(problem)) return Level::rigid;
+  return std::holds_alternative<PrintedProblem>(problem) ? Level::printed : Level::compliant;
 }
 
 [[nodiscard]] inline double duration_of(const Problem& problem) {
-  return std::visit([](const auto& p) { return p.duration; }, problem);
+  if (const auto* printed = std::get_if<PrintedProblem>(&problem)) return printed->frames * printed->frame;
+  if (const auto* rigid = std::get_if<RigidProblem>(&problem)) return rigid->duration;
+  return std::get<Scene>(problem).duration;
 }
 
 }  // namespace handhold

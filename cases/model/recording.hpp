@@ -21,6 +21,13 @@ enum class EventKind : std::uint8_t { touch, breakaway, restick, release };
 
 [[nodiscard]] std::string_view to_string(EventKind kind);
 
+/// What a change of mode is called; the two must differ.
+[[nodiscard]] constexpr EventKind change_of(Mode from, Mode to) {
+  if (from == Mode::apart) return EventKind::touch;
+  if (to == Mode::apart) return EventKind::release;
+  return to == Mode::slip ? EventKind::breakaway : EventKind::restick;
+}
+
 /// Names one sample: its hand, phalanx, body and its number in the patch. A sample that belongs to another body's
 /// surface has `hand` = `of_body` and that body's index as `phalanx`.
 struct SampleId {

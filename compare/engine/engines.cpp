@@ -22,6 +22,8 @@ constexpr std::array registry{
 #endif
     Entry{"realtime", make_realtime_engine},       Entry{"kinematic-grasp", make_kinematic_grasp_engine},
     Entry{"pinch-state", make_pinch_state_engine},
+    Entry{"paper", make_paper_engine},
+    Entry{"paper-coulomb", make_paper_coulomb_engine},
 };
 
 }  // namespace

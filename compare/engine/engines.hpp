@@ -21,5 +21,7 @@ namespace handhold::compare {
 [[nodiscard]] std::unique_ptr<Engine> make_realtime_engine();         // realtime_engine.cpp
 [[nodiscard]] std::unique_ptr<Engine> make_kinematic_grasp_engine();  // baseline_engines.cpp
 [[nodiscard]] std::unique_ptr<Engine> make_pinch_state_engine();      // baseline_engines.cpp
+[[nodiscard]] std::unique_ptr<Engine> make_paper_engine();            // paper_engine.cpp
+[[nodiscard]] std::unique_ptr<Engine> make_paper_coulomb_engine();    // paper_coulomb_engine.cpp
 
 }  // namespace handhold::compare

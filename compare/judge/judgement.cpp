@@ -14,7 +14,7 @@ constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();  // of a
 
 bool is_yes_or_no(const catalogue::Claim& claim) {
   const Kind kind = claim.measure.kind;
-  return kind == Kind::held || kind == Kind::no_event || kind == Kind::event_count;
+  return kind == Kind::held || kind == Kind::no_event || kind == Kind::event_count || kind == Kind::mode_count;
 }
 
 Grade grade_of(const catalogue::Claim& claim, double value) {
@@ -52,6 +52,10 @@ std::string why_not_asked(const catalogue::Claim& claim, const EngineInfo& engin
       return engine.records.events ? "" : "it records no events";
     case Kind::force:
     case Kind::torque:
+    case Kind::force_sum:
+    case Kind::mode_count:
+    case Kind::lag:
+    case Kind::work:
       return engine.records.contacts ? "" : "it records no contacts";
     case Kind::dissipated:
       return engine.records.energy ? "" : "it records no energy";
@@ -61,6 +65,7 @@ std::string why_not_asked(const catalogue::Claim& claim, const EngineInfo& engin
       return measure.at || engine.records.events ? "" : "it records no events";
     case Kind::time_at_displacement:
     case Kind::held:
+    case Kind::growth:
       return "";
   }
   return "";

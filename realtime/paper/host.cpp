@@ -16,7 +16,7 @@ struct Acceleration {
 };
 
 Acceleration acceleration(const HostBody& body, const Vector3d& gravity, const Wrench& wrench) {
-  if (!body.turns) return {wrench.force / body.mass + gravity, Vector3d::Zero()};
+  if (body.mobility == Mobility::translation) return {wrench.force / body.mass + gravity, Vector3d::Zero()};
   const Matrix3d R = body.motion.X_WO.R.toRotationMatrix();
   const Matrix3d inertia = R * body.inertia_O * R.transpose();
   const Vector3d torque = wrench.torque - body.motion.w.cross(inertia * body.motion.w);
@@ -50,11 +50,6 @@ Wrench sum(const Wrench& a, const Wrench& b) { return {a.force + b.force, a.torq
 
 }  // namespace
 
-void validate(const HostOptions& options) {
-  if (options.substeps < 1)
-    throw InputError("host: substeps=" + std::to_string(options.substeps) + ": needs at least 1 a frame");
-}
-
 Host::Host(Middleware middleware, const HostBody& body, const Vector3d& gravity, const HostOptions& options)
     : middleware_(std::move(middleware)), body_(body), gravity_(gravity), options_(options), old_(body.motion) {
   validate(options);
@@ -68,7 +63,8 @@ void Host::advance(double dt, std::span<const Pose> X_WP, const Wrench& applied)
   const double h = dt / options_.substeps;
   for (int i = 0; i < options_.substeps; ++i) {
     if (i > 0 && !options_.hold_force) wrench = middleware_.wrench_at(body_.motion);
-    integrate(body_, acceleration(body_, gravity_, sum(wrench, applied)), h, options_.integrator);
+    if (body_.mobility != Mobility::fixed)
+      integrate(body_, acceleration(body_, gravity_, sum(wrench, applied)), h, options_.integrator);
   }
   t_ += dt;
 }

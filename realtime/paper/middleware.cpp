@@ -41,7 +41,7 @@ void Middleware::seed(int index, const Pose& X_WP, const Pose& X_WO, std::span<c
     if (patch.count == max_samples) break;
     const std::optional<Spot> spot = surface_->closest(X_OP * p, reach);
     if (!spot) continue;
-    patch.samples[std::size_t(patch.count++)] = {Mode::apart, *spot, p, Vector3d::Zero()};
+    patch.samples[std::size_t(patch.count++)] = {Mode::apart, *spot, *spot, p, Vector3d::Zero()};
   }
   v_p_[std::size_t(index)].fill(Vector3d::Zero());
 }
@@ -83,12 +83,10 @@ const Wrench& Middleware::frame(double dt, std::span<const Pose> X_WP, const Bod
     patch.X_WP = X_WP[k];
     patch.known = true;
     for (int i = 0; i < patch.count; ++i) {
-      const Spot before = patch.samples[std::size_t(i)].anchor;
       step(patch, i, body, X_OW);
       const SampleState& s = patch.samples[std::size_t(i)];
-      const Spot& used = options_.order == Order::force_first ? before : s.anchor;
       wrench_.force += s.f_W;
-      wrench_.torque += (body.X_WO * used.C_O - center).cross(s.f_W);
+      wrench_.torque += (body.X_WO * s.used.C_O - center).cross(s.f_W);
     }
   }
   return wrench_;
@@ -105,6 +103,7 @@ void Middleware::step(PatchState& patch, int i, const BodyMotion& body, const Po
     sample = sample_of(patch, i, body);
     force = printed_force(sample, options_);
   }
+  s.used = s.anchor;
   s.f_W = force_on_object(force, sample.n, mode, friction_, options_);
   if (options_.order == Order::force_first || mode == Mode::apart) move_anchor(s, p_O, mode);
   s.mode = mode;

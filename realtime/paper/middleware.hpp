@@ -42,8 +42,9 @@ struct WrenchSlopes {
 struct SampleState {
   Mode mode{Mode::apart};
   Spot anchor{};
+  Spot used{};                                   ///< the anchor that the frame's force used: eq. 1 holds with it
   Eigen::Vector3d p_P{Eigen::Vector3d::Zero()};  ///< on the phalanx, in P
-  Eigen::Vector3d f_W{Eigen::Vector3d::Zero()};  ///< on the object at the anchor the frame's force used [N]
+  Eigen::Vector3d f_W{Eigen::Vector3d::Zero()};  ///< on the object at `used` [N]
 };
 
 /// The samples of one phalanx (or of anything that pushes).

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include "cases/model/voxel_field.hpp"
+#include "realtime/paper/options.hpp"
 
 namespace handhold::realtime::paper {
 
@@ -62,13 +63,6 @@ class SphereSurface : public Surface {
   double radius_;
 };
 
-/// Which surface and which normal of a voxel field the law sees.
-enum class Normals {
-  triangle,  ///< the mesh's triangles and their normals ("surface normal vector of the object mesh", eq. 2)
-  smooth,    ///< the mesh's triangles, normal of the smoothed distance field
-  voxel,     ///< the faces of the occupied voxels (section 3.5: "we approximate the concave objects with small voxels")
-};
-
 /// An object's voxel field as a surface.
 class FieldSurface : public Surface {
  public:
@@ -84,5 +78,8 @@ class FieldSurface : public Surface {
   std::shared_ptr<const VoxelField> field_;
   Normals normals_;
 };
+
+/// The surface that a problem describes.
+[[nodiscard]] std::shared_ptr<const Surface> make_surface(const Shape& shape);
 
 }  // namespace handhold::realtime::paper

@@ -104,7 +104,7 @@ TEST(Gamma, HoldsBehindTheMiddlewareAtFrameRate) {
     options.stiffness = auto_stiffness(demand(mass));
     paper::HostBody body;
     body.mass = mass;
-    body.turns = false;
+    body.mobility = Mobility::translation;
     paper::Host host(paper::Middleware(std::make_shared<paper::SlabSurface>(edge / 2), Eigen::Vector3d::Zero(),
                                        {0.5, 0.4}, options, 2),
                      body, {0, 0, -9.81});

@@ -58,7 +58,7 @@ std::vector<double> depths(const FaceUp& face, Sign sign, double d0, int frames)
   options.sign = sign;
   HostBody body;
   body.mass = 0.2;
-  body.turns = false;
+  body.mobility = Mobility::translation;
   Host host(Middleware(face.surface, Eigen::Vector3d::Zero(), {mu_s, mu_d}, options, 1), body, Eigen::Vector3d::Zero());
   const Pose hand = at(0, 0, face.top - d0);
   host.middleware().seed(0, hand, {}, ring(x_axis, y_axis, 0.003, 8), 0.02);

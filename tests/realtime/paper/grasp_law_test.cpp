@@ -309,7 +309,7 @@ TEST(PaperDrag, L3_17_TheBlockLagsBehindTheFinger) {
   ASSERT_TRUE(drag_slides(drag));
   HostBody body;
   body.mass = drag.mass;
-  body.turns = false;
+  body.mobility = Mobility::translation;
   body.motion.v.x() = 0.2;
   Host host(Middleware(std::make_shared<PlaneSurface>(0), Eigen::Vector3d::Zero(), friction, {}, 1), body,
             Eigen::Vector3d::Zero());

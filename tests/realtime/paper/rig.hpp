@@ -113,7 +113,7 @@ struct Pinch {
   static HostBody body(double mass) {
     HostBody b;
     b.mass = mass;
-    b.turns = false;
+    b.mobility = Mobility::translation;
     return b;
   }
   void close(double depth) { hands = {at(-0.03125 + depth, 0, 0), at(0.03125 - depth, 0, 0)}; }

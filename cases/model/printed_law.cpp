@@ -1,15 +1,16 @@
-#include "realtime/paper/options.hpp"
+#include "cases/model/printed_law.hpp"
 
 #include <cmath>
 #include <string>
 
 #include "cases/model/input_error.hpp"
+#include "cases/model/text.hpp"
 
-namespace handhold::realtime::paper {
+namespace handhold::printed {
 namespace {
 
 void require(bool holds, const std::string& what, double given, const std::string& rule) {
-  if (!holds) throw InputError("paper law: " + what + "=" + std::to_string(given) + ": " + rule);
+  if (!holds) throw InputError(sentence("paper law: ", what, "=", given, ": ", rule));
 }
 
 }  // namespace
@@ -41,4 +42,4 @@ Options coulomb() {
   return o;
 }
 
-}  // namespace handhold::realtime::paper
+}  // namespace handhold::printed

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "cases/catalogue/claim.hpp"
+#include "cases/model/recording.hpp"
+
+namespace handhold::compare {
+
+/// The frame at that instant; none between frames.
+[[nodiscard]] const Frame* frame_at(const Recording& recording, double t);
+
+/// The measures that are read off frames as they are, contacts and body 0, without the problem: force, torque,
+/// force_sum, mode_count, lag, work, growth. NaN when the recording has no such frames, or for any other measure.
+///
+/// Growth: the places x_n of body 0 along the axis obey x_{n+2} = tr x_{n+1} − det x_n as long as nothing but springs
+/// and dampers acts along it, so x_{n+1}² − x_n x_{n+2} grows by det a frame, and the oscillation by sqrt(|det|).
+[[nodiscard]] double contact_measure(const Recording& recording, const catalogue::Measure& what);
+
+}  // namespace handhold::compare
