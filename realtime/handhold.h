@@ -221,7 +221,7 @@ enum { HH_ANCHOR_RAY = 0, HH_ANCHOR_CONE = 1 };                                /
 enum { HH_APART_STAYS = 0, HH_APART_FOLLOWS = 1 };                             /* apart_anchor */
 enum { HH_NORMALS_TRIANGLE = 0, HH_NORMALS_SMOOTH = 1, HH_NORMALS_VOXEL = 2 }; /* normals */
 
-/* Explained one by one in realtime/paper/options.hpp and docs/paper.md. */
+/* Explained one by one in cases/model/printed_law.hpp and docs/paper.md. */
 typedef struct hh_options {
   double stiffness;      /* gamma of a sample [N/m], > 0 */
   double damping;        /* of a sample [N s/m], >= 0 */

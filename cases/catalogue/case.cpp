@@ -1,8 +1,10 @@
 #include "cases/catalogue/case.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "cases/catalogue/families.hpp"
+#include "cases/catalogue/l3/families.hpp"
 
 namespace handhold::catalogue {
 
@@ -58,38 +60,42 @@ Limit implicit_ring_limit(double amplitude, double frequency, double t) {
 }
 
 const std::vector<Case>& all_cases() {
-  static const std::vector<Case> cases{projectile_case(),
-                                       incline_case(),
-                                       incline_flick_case(),
-                                       stopping_case(),
-                                       load_ramp_case(),
-                                       harmonic_force_case(),
-                                       friction_oscillator_case(),
-                                       forced_oscillator_case(),
-                                       belt_case(),
-                                       oscillating_palm_case(),
-                                       pinch_case(),
-                                       pinch_opening_case(),
-                                       catch_case(),
-                                       shaken_pinch_case(),
-                                       sideways_pinch_case(),
-                                       palm_lift_case(),
-                                       spin_down_case(),
-                                       eccentric_load_case(),
-                                       pivot_case(),
-                                       sliding_spin_case(),
-                                       drag_step_case(),
-                                       sudden_release_case(),
-                                       jenkins_loop_case(),
-                                       moving_catch_case(),
-                                       handover_case(),
-                                       ratchet_case(),
-                                       tray_case(),
-                                       twist_case(),
-                                       spin_stop_case(),
-                                       held_cube_case(),
-                                       normal_shake_case(),
-                                       chatter_case()};
+  static const std::vector<Case> cases = [] {
+    std::vector<Case> all{projectile_case(),
+                          incline_case(),
+                          incline_flick_case(),
+                          stopping_case(),
+                          load_ramp_case(),
+                          harmonic_force_case(),
+                          friction_oscillator_case(),
+                          forced_oscillator_case(),
+                          belt_case(),
+                          oscillating_palm_case(),
+                          pinch_case(),
+                          pinch_opening_case(),
+                          catch_case(),
+                          shaken_pinch_case(),
+                          sideways_pinch_case(),
+                          palm_lift_case(),
+                          spin_down_case(),
+                          eccentric_load_case(),
+                          pivot_case(),
+                          sliding_spin_case(),
+                          drag_step_case(),
+                          sudden_release_case(),
+                          jenkins_loop_case(),
+                          moving_catch_case(),
+                          handover_case(),
+                          ratchet_case(),
+                          tray_case(),
+                          twist_case(),
+                          spin_stop_case(),
+                          held_cube_case(),
+                          normal_shake_case(),
+                          chatter_case()};
+    for (Case& c : printed_cases()) all.push_back(std::move(c));
+    return all;
+  }();
   return cases;
 }
 

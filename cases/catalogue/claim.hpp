@@ -34,9 +34,9 @@ struct Measure {
     force_sum,             ///< of `force` over the frames from `from` to `at`, of samples in `mode` only if given [N]
     mode_count,            ///< samples in `mode`, summed over the frames from `from` to `at`
     lag,                   ///< p − C along `axis`, mean of the chosen samples, on the frame `at` [m]
-    work,                  ///< that contacts took from the phalanges between `from` and `at`, negative: gave; by the
-                           ///< trapezoidal rule over the frames, of the chosen samples, on an object at rest [J]
-    growth,                ///< of an oscillation per frame, between the frames `from` and `at`; see contact_measure.hpp
+    work,                  ///< that the chosen samples gave their phalanges from `from` to `at`, on an object at rest;
+                           ///< trapezoidal rule over the frames [J]
+    growth,                ///< of an oscillation per frame, between the frames `from` and `at`; see frames_measure.hpp
   };
   Kind kind{Kind::displacement};
   EventKind event{EventKind::touch};

@@ -11,6 +11,12 @@ namespace {
 namespace rigid = reference::rigid;
 
 /// A support is one sample: it touches, breaks away, sticks again and lets go as the samples of a patch do.
+EventKind kind_of(Mode from, Mode to) {
+  if (to == Mode::apart) return EventKind::release;
+  if (from == Mode::apart) return EventKind::touch;
+  return to == Mode::slip ? EventKind::breakaway : EventKind::restick;
+}
+
 SampleId id_of(std::size_t support) { return {.phalanx = std::uint8_t(support)}; }
 
 Frame frame_of(const RigidProblem& problem, const rigid::Frame& from) {
@@ -55,7 +61,7 @@ class RigidEngine : public Engine {
                         .body_names = {"body"}};
     for (const rigid::Frame& frame : t.frames) recording.frames.push_back(frame_of(problem, frame));
     for (const rigid::Event& e : t.events)
-      recording.events.push_back({e.t, e.window, change_of(e.from, e.to), id_of(std::size_t(e.support)), e.after});
+      recording.events.push_back({e.t, e.window, kind_of(e.from, e.to), id_of(std::size_t(e.support)), e.after});
     return recording;
   }
 };

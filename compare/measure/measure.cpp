@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "compare/measure/contact_measure.hpp"
+#include "compare/measure/frames_measure.hpp"
 
 namespace handhold::compare {
 namespace {
@@ -45,7 +45,7 @@ Against against(const RigidProblem& problem) {
   return {.surface = problem.supports.empty() ? RigidPath() : problem.supports.front().motion};
 }
 
-/// Its frames are few and its hand is known at them only: it is measured against W.
+/// Its hand is known at frames only: the body is measured against W.
 Against against(const PrintedProblem& problem) { return {.center_O = problem.inertia.center}; }
 
 class Reader {
@@ -146,6 +146,31 @@ double held(const Reader& reader, const Recording& recording, double level) {
   return 1;
 }
 
+/// The frame at that instant; none between frames.
+const Frame* frame_at(const Recording& recording, double t) {
+  for (const Frame& frame : recording.frames)
+    if (std::abs(frame.t - t) < 1e-12) return &frame;
+  return nullptr;
+}
+
+bool chosen(const ContactState& contact, const Measure& what) {
+  return contact.id.body == 0 && (what.phalanx < 0 || contact.id.phalanx == what.phalanx) &&
+         (what.sample < 0 || contact.id.sample == what.sample);
+}
+
+/// Force or torque of the chosen samples.
+double load(const Recording& recording, const Measure& what) {
+  const Frame* frame = what.at ? frame_at(recording, *what.at) : nullptr;
+  if (!frame) return nan;
+  double sum = 0;
+  for (const ContactState& c : frame->contacts) {
+    if (!chosen(c, what)) continue;
+    const Eigen::Vector3d part = what.kind == Kind::force ? c.f_W : (c.C_W - what.point).cross(c.f_W).eval();
+    sum += what.axis.dot(part);
+  }
+  return sum;
+}
+
 double count(const Recording& recording, EventKind kind) {
   return double(
       std::count_if(recording.events.begin(), recording.events.end(), [&](const Event& e) { return e.kind == kind; }));
@@ -179,13 +204,21 @@ double measure(const Problem& problem, const Recording& recording, const Measure
       return event ? 0 : 1;
     case Kind::event_count:
       return count(recording, what.event);
+    case Kind::force:
+    case Kind::torque:
+      return load(recording, what);
     case Kind::dissipated: {
       const Frame* frame = what.at ? frame_at(recording, *what.at) : nullptr;
       return frame ? frame->energy.dissipated : nan;
     }
-    default:
-      return contact_measure(recording, what);
+    case Kind::force_sum:
+    case Kind::mode_count:
+    case Kind::lag:
+    case Kind::work:
+    case Kind::growth:
+      return frames_measure(recording, what);
   }
+  return nan;
 }
 
 }  // namespace handhold::compare

@@ -1,0 +1,59 @@
+#include <cmath>
+
+#include "cases/catalogue/builders/printed_problems.hpp"
+#include "cases/catalogue/l3/families.hpp"
+
+namespace handhold::catalogue {
+namespace {
+
+const Eigen::Vector3d along = Eigen::Vector3d::UnitX();
+const closed_form::PrintedDrag drag{.face = {.depth = 0.004}};
+constexpr double finger_speed = 0.3, first_speed = 0.2;  // [m/s]
+constexpr int frames = 300;
+
+double pressure() { return drag.samples * drag.face.gamma * drag.face.depth; }
+double table_friction() { return drag.mu_table * (pressure() + drag.mass * drag.gravity); }
+double steady_lag() { return table_friction() / (drag.samples * drag.face.gamma * drag.face.friction.mu_dynamic); }
+
+/// The table carries weight and pressure and rubs against the motion, as long as the block goes forward.
+PrintedProblem scene(Ground ground) {
+  PrintedProblem p = ring_on_a_face(
+      ground, drag.face, 0.003, [](double) { return 0.0; }, frames);
+  p.mobility = Mobility::translation;
+  p.inertia.mass = drag.mass;
+  p.V_WO.v = first_speed * along;
+  p.gravity.setZero();  // carried by the table
+  p.load = [](double) { return Load{.force_W = {-table_friction(), 0, pressure()}}; };
+  printed::Phalanx& finger = p.phalanges.front();
+  finger.start.assign(8, {.lag_W = 1.2 * steady_lag() * along, .slipping = true});  // it comes to its steady value
+  const double z = top_of(ground) - drag.face.depth;
+  finger.pose = [z](double t) { return Pose{.p = {finger_speed * t, 0, z}}; };
+  return p;
+}
+
+Run slides(Ground ground) {
+  Run run{.name = "0.3 m/s", .problem = [=] { return scene(ground); }};
+  const double end = frames * drag.face.frame, speed = finger_speed - drag_lag_speed(drag);
+  const double q = contraction(drag.face);
+  const Limit limit = rounding_limit(finger_speed * end, steady_lag(), 1 / (1 - std::sqrt(q)),
+                                     "lag and speed keep sqrt(q) of the last frame's");
+  run.claims = {printed_claim("speed of the block", "m/s", speed, "V - mu_t (N + m g) eps/(n mu_d gamma dt (d + eps))",
+                              speed_at(end, along), limit),
+                printed_claim("lag of the samples", "m", steady_lag(), "n mu_d gamma s = mu_t (N + m g)",
+                              {.kind = Measure::Kind::lag, .axis = along, .at = end}, limit),
+                printed_count("slides on", 1, "mu_t (N + m g) > mu_d mu_s N",
+                              {.kind = Measure::Kind::no_event, .event = EventKind::restick})};
+  return run;
+}
+
+}  // namespace
+
+Case printed_drag_case() {
+  Case c = printed_case("L3-17", "A block dragged by a finger on top lags behind by a constant speed");
+  c.statement = "A block of 0.2 kg on a table (mu 0.2); a finger of 8 samples, 4 mm deep, moves over it at 0.3 m/s.";
+  c.formula = "V - v = mu_t (N + m g) eps/(n mu_d gamma dt (d + eps)); rigid Coulomb: it sticks or stays";
+  c.runs = on_both(slides);
+  return c;
+}
+
+}  // namespace handhold::catalogue
