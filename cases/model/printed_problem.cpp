@@ -15,7 +15,8 @@ namespace {
 }
 
 void require_positive(const std::string& what, double value) {
-  if (!(value > 0) || !std::isfinite(value)) reject(sentence(what, "=", value), "must be finite and > 0", "use SI units");
+  if (!(value > 0) || !std::isfinite(value))
+    reject(sentence(what, "=", value), "must be finite and > 0", "use SI units");
 }
 
 void check_shape(const printed::Shape& shape) {
@@ -37,7 +38,7 @@ void check_body(const PrintedProblem& p) {
 }
 
 void check_phalanx(const printed::Phalanx& phalanx, const std::string& name) {
-  if (phalanx.p_P.empty() || phalanx.p_P.size() > max_samples)
+  if (phalanx.p_P.empty() || phalanx.p_P.size() > std::size_t(max_samples))
     reject(sentence(name, " with ", phalanx.p_P.size(), " samples"), sentence("needs 1 to ", max_samples),
            "spread them over several phalanges");
   if (!phalanx.start.empty() && phalanx.start.size() != phalanx.p_P.size())
@@ -49,7 +50,8 @@ void check_phalanx(const printed::Phalanx& phalanx, const std::string& name) {
 }  // namespace
 
 void printed::validate(const HostOptions& options) {
-  if (options.substeps < 1) reject(sentence("substeps=", options.substeps), "must be at least 1", "give 1 for a plain step");
+  if (options.substeps < 1)
+    reject(sentence("substeps=", options.substeps), "must be at least 1", "give 1 for a plain step");
 }
 
 void validate(const PrintedProblem& p) {

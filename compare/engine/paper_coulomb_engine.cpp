@@ -82,7 +82,7 @@ class PaperCoulombEngine : public Engine {
     for (const Hand& hand : scene.hands)
       if (hand.given.empty()) return "it feels given sample points, not whole phalanges";
     for (const PlayedPatch& patch : patches_of(scene))
-      if (patch.p_P.size() > max_samples) return fmt::format("its patches hold at most {} samples", max_samples);
+      if (patch.p_P.size() > std::size_t(max_samples)) return fmt::format("its patches hold at most {} samples", max_samples);
     return {};
   }
 

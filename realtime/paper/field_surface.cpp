@@ -51,11 +51,11 @@ Vector3d FieldSurface::smooth(const Vector3d& p_O, const Vector3d& instead) cons
   return length > 0.2 * h ? Vector3d(g / length) : instead;  // at the ridge of a thin wall there is no gradient
 }
 
-std::shared_ptr<const Surface> make_surface(const Shape& shape) {
-  if (const auto* plane = std::get_if<Plane>(&shape)) return std::make_shared<PlaneSurface>(plane->height);
-  if (const auto* slab = std::get_if<Slab>(&shape)) return std::make_shared<SlabSurface>(slab->half_width);
-  if (const auto* ball = std::get_if<Ball>(&shape)) return std::make_shared<SphereSurface>(ball->radius);
-  const auto& voxels = std::get<Voxels>(shape);
+std::shared_ptr<const Surface> make_surface(const printed::Shape& shape) {
+  if (const auto* plane = std::get_if<printed::Plane>(&shape)) return std::make_shared<PlaneSurface>(plane->height);
+  if (const auto* slab = std::get_if<printed::Slab>(&shape)) return std::make_shared<SlabSurface>(slab->half_width);
+  if (const auto* ball = std::get_if<printed::Ball>(&shape)) return std::make_shared<SphereSurface>(ball->radius);
+  const auto& voxels = std::get<printed::Voxels>(shape);
   return std::make_shared<FieldSurface>(voxels.field, voxels.normals);
 }
 

@@ -80,6 +80,6 @@ class FieldSurface : public Surface {
 };
 
 /// The surface that a problem describes.
-[[nodiscard]] std::shared_ptr<const Surface> make_surface(const Shape& shape);
+[[nodiscard]] std::shared_ptr<const Surface> make_surface(const printed::Shape& shape);
 
 }  // namespace handhold::realtime::paper
