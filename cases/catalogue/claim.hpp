@@ -15,9 +15,10 @@ enum class Pedigree { exact, discrete_exact, converged, published, regression };
 
 [[nodiscard]] std::string_view to_string(Pedigree pedigree);
 
-/// What is measured on a recording; from the poses of body 0, the hand's motion and the events alone, so that it can be
+/// What is measured on a recording; from the poses of a body, the hand's motion and the events alone, so that it can be
 /// asked of any engine (forces and energy only of those that record contacts and the energy ledger). "Relative" means:
-/// of the body's centre of mass against the case's phalanx, both counted from t = 0.
+/// of the body's centre of mass against the phalanx of the first hand's first given patch, or a rigid problem's first
+/// support, both counted from t = 0; against the world if there is none.
 struct Measure {
   enum class Kind {
     event_time,            ///< time of the `occurrence`-th first event of kind `event` of any sample [s]
@@ -28,7 +29,7 @@ struct Measure {
     held,                  ///< 1 if the largest |relative displacement along `axis`| stays below `level` [m], else 0
     no_event,              ///< 1 if no event of kind `event` happens, else 0
     event_count,           ///< how many events of kind `event` there are
-    force,                 ///< on body 0 along `axis` by the chosen samples, on the frame `at` [N]
+    force,                 ///< on the body along `axis` by the chosen samples, on the frame `at` [N]
     torque,                ///< the same's torque about the axis through `point` [N m]
     dissipated,            ///< energy lost to friction and dampers since t = 0, on the frame `at` [J]
     force_sum,             ///< of `force` over the frames from `from` to `at`, of samples in `mode` only if given [N]
@@ -44,7 +45,10 @@ struct Measure {
   Eigen::Vector3d axis{Eigen::Vector3d::UnitX()};  ///< unit, in W
   std::optional<double> at{};                      ///< the instant [s]; nothing: the instant of the event
   double level{};
-  int phalanx{-1}, sample{-1};                     ///< of what is read off contacts: -1 stands for all
+  int body{0};                  ///< what is measured, and what the samples of events and forces touch
+  int phalanx{-1}, sample{-1};  ///< of what is read off contacts: -1 stands for all; a rigid problem's support is its `phalanx`
+  int owner{-1};                ///< >= 0: only samples of that body's own surface
+  bool from_last{false};        ///< bodies, hands, patches, samples and supports are counted from the last one on
   Eigen::Vector3d point{Eigen::Vector3d::Zero()};  ///< in W [m]
   std::optional<double> from{};                    ///< where a sum over frames begins [s]; nothing: at `at`
   std::optional<Mode> mode{};

@@ -38,6 +38,14 @@ namespace handhold::catalogue {
 [[nodiscard]] Case held_cube_case();            // G10
 [[nodiscard]] Case normal_shake_case();         // G11
 [[nodiscard]] Case chatter_case();              // G12
+[[nodiscard]] Case unlike_blocks_case();        // H01
+[[nodiscard]] Case stack_case();                // H02
+[[nodiscard]] Case struck_case();               // H03
+[[nodiscard]] Case bounce_case();               // H04
+[[nodiscard]] Case pressed_case();              // H05
+[[nodiscard]] Case sweep_case();                // H06
+[[nodiscard]] Case round_cylinder_case();       // H07
+[[nodiscard]] Case round_sphere_case();         // H08
 
 // Limits shared by the cases.
 

@@ -19,7 +19,7 @@ struct Along {
   double x{}, v{};
 };
 
-/// What body 0 is measured against, and its centre of mass.
+/// What the body is measured against, and its centre of mass.
 struct Against {
   const HandMotion* hand{};
   int phalanx{palm};
@@ -33,16 +33,50 @@ struct Against {
   }
 };
 
-Against against(const Scene& scene) {
-  Against out{.center_O = scene.bodies.front().inertia.center};
+template <class Item>
+const Item& pick(const std::vector<Item>& items, const Measure& what) {
+  return what.from_last ? items.back() : items.front();
+}
+
+Against against(const Scene& scene, const Measure& what) {
+  Against out{.center_O = scene.bodies.at(std::size_t(what.body)).inertia.center};
   if (scene.hands.empty()) return out;
-  out.hand = scene.hands.front().motion.get();
-  if (!scene.hands.front().given.empty()) out.phalanx = scene.hands.front().given.front().phalanx;
+  const Hand& hand = pick(scene.hands, what);
+  out.hand = hand.motion.get();
+  if (!hand.given.empty()) out.phalanx = pick(hand.given, what).phalanx;
   return out;
 }
 
-Against against(const RigidProblem& problem) {
-  return {.surface = problem.supports.empty() ? RigidPath() : problem.supports.front().motion};
+Against against(const RigidProblem& problem, const Measure& what) {
+  return {.surface = problem.supports.empty() ? RigidPath() : pick(problem.supports, what).motion};
+}
+
+/// How many samples the patch has that `what` chooses one of.
+int samples(const Scene& scene, const Measure& what) {
+  if (what.owner >= 0) return int(scene.bodies.at(std::size_t(what.owner)).samples_O.size());
+  for (const Hand& hand : scene.hands)
+    for (const GivenPatch& given : hand.given)
+      if (what.phalanx < 0 || given.phalanx == what.phalanx) return int(given.p_P.size());
+  return scene.patch.samples;
+}
+
+void count_back(int& index, int count) {
+  if (index >= 0) index = count - 1 - index;
+}
+
+/// The same with numbers that count from the first one on, except `from_last` itself.
+Measure counted(const Scene& scene, Measure what) {
+  if (!what.from_last) return what;
+  const int bodies = int(scene.bodies.size());
+  count_back(what.body, bodies);
+  count_back(what.owner, bodies);
+  if (what.sample >= 0) count_back(what.sample, samples(scene, what));
+  return what;
+}
+
+Measure counted(const RigidProblem& problem, Measure what) {
+  if (what.from_last) count_back(what.phalanx, int(problem.supports.size()));
+  return what;
 }
 
 /// Its hand is known at frames only: the body is measured against W.
@@ -51,12 +85,15 @@ Against against(const PrintedProblem& problem) { return {.center_O = problem.ine
 class Reader {
  public:
   Reader(const Problem& problem, const Recording& recording, const Measure& what)
-      : against_(std::visit([](const auto& p) { return against(p); }, problem)),
+      : against_(std::visit([&](const auto& p) { return against(p, what); }, problem)),
         recording_(recording),
+        body_(std::size_t(what.body)),
         axis_(what.axis) {
     if (!recording.frames.empty())
-      start_ = absolute(recording.frames.front().t, recording.frames.front().bodies.front());
+      start_ = absolute(recording.frames.front().t, recording.frames.front().bodies[body_]);
   }
+
+  [[nodiscard]] std::size_t body() const { return body_; }
 
   [[nodiscard]] Along at(double t, const BodyState& body) const {
     const Along now = absolute(t, body);
@@ -69,11 +106,11 @@ class Reader {
     if (frames.empty() || t < frames.front().t || t > frames.back().t + 1e-12) return {nan, nan};
     auto next = std::lower_bound(frames.begin(), frames.end(), t, [](const Frame& f, double s) { return f.t < s; });
     if (next == frames.end()) --next;
-    if (std::abs(next->t - t) < 1e-12) return at(next->t, next->bodies.front());
+    if (std::abs(next->t - t) < 1e-12) return at(next->t, next->bodies[body_]);
     const Frame& a = *(next - 1);
     const Frame& b = *next;
     const Along hand = against_.at(t, axis_);
-    const Along A = object(a.bodies.front()), B = object(b.bodies.front());
+    const Along A = object(a.bodies[body_]), B = object(b.bodies[body_]);
     const double h = b.t - a.t, s = (t - a.t) / h;
     const double x = A.x * (1 + 2 * s) * (1 - s) * (1 - s) + B.x * s * s * (3 - 2 * s) +
                      h * (A.v * s * (1 - s) * (1 - s) - B.v * s * s * (1 - s));
@@ -93,14 +130,21 @@ class Reader {
 
   Against against_;
   const Recording& recording_;
+  std::size_t body_;
   Eigen::Vector3d axis_;
   Along start_{};
 };
 
+bool chosen(const SampleId& id, const Measure& what) {
+  if (id.body != what.body || (what.sample >= 0 && id.sample != what.sample)) return false;
+  if (what.owner >= 0) return id.belongs_to_body() && id.phalanx == what.owner;
+  return what.phalanx < 0 || (!id.belongs_to_body() && id.phalanx == what.phalanx);
+}
+
 const Event* find_event(const Recording& recording, const Measure& what) {
   int left = what.occurrence;
   for (const Event& event : recording.events)
-    if (event.kind == what.event && --left == 0) return &event;
+    if (event.kind == what.event && chosen(event.id, what) && --left == 0) return &event;
   return nullptr;
 }
 
@@ -112,14 +156,15 @@ double twist_angle(const Eigen::Quaterniond& R, const Eigen::Vector3d& axis) {
 /// Unwrapped over the frames; the last piece, to `state`, must be less than half a turn.
 double rotation(const Recording& recording, const Measure& what, double t, const BodyState* state) {
   double angle = 0;
-  Eigen::Quaterniond last = recording.frames.front().bodies.front().X_WO.R;
+  const std::size_t body = std::size_t(what.body);
+  Eigen::Quaterniond last = recording.frames.front().bodies[body].X_WO.R;
   const auto add = [&](const Eigen::Quaterniond& R) {
     angle += std::remainder(twist_angle(R * last.conjugate(), what.axis), 2 * std::numbers::pi);
     last = R;
   };
   for (const Frame& frame : recording.frames) {
     if (frame.t > t + 1e-12) break;
-    add(frame.bodies.front().X_WO.R);
+    add(frame.bodies[body].X_WO.R);
     if (!state && std::abs(frame.t - t) < 1e-12) return angle;
   }
   if (!state) return nan;  // only asked for on frames
@@ -142,7 +187,7 @@ double time_at(const Reader& reader, const Recording& recording, double level) {
 
 double held(const Reader& reader, const Recording& recording, double level) {
   for (const Frame& frame : recording.frames)
-    if (!(std::abs(reader.at(frame.t, frame.bodies.front()).x) < level)) return 0;
+    if (!(std::abs(reader.at(frame.t, frame.bodies[reader.body()]).x) < level)) return 0;
   return 1;
 }
 
@@ -153,33 +198,29 @@ const Frame* frame_at(const Recording& recording, double t) {
   return nullptr;
 }
 
-bool chosen(const ContactState& contact, const Measure& what) {
-  return contact.id.body == 0 && (what.phalanx < 0 || contact.id.phalanx == what.phalanx) &&
-         (what.sample < 0 || contact.id.sample == what.sample);
-}
-
 /// Force or torque of the chosen samples.
 double load(const Recording& recording, const Measure& what) {
   const Frame* frame = what.at ? frame_at(recording, *what.at) : nullptr;
   if (!frame) return nan;
   double sum = 0;
   for (const ContactState& c : frame->contacts) {
-    if (!chosen(c, what)) continue;
+    if (!chosen(c.id, what)) continue;
     const Eigen::Vector3d part = what.kind == Kind::force ? c.f_W : (c.C_W - what.point).cross(c.f_W).eval();
     sum += what.axis.dot(part);
   }
   return sum;
 }
 
-double count(const Recording& recording, EventKind kind) {
-  return double(
-      std::count_if(recording.events.begin(), recording.events.end(), [&](const Event& e) { return e.kind == kind; }));
+double count(const Recording& recording, const Measure& what) {
+  return double(std::count_if(recording.events.begin(), recording.events.end(),
+                              [&](const Event& e) { return e.kind == what.event && chosen(e.id, what); }));
 }
 
 }  // namespace
 
-double measure(const Problem& problem, const Recording& recording, const Measure& what) {
+double measure(const Problem& problem, const Recording& recording, const Measure& asked) {
   if (recording.frames.empty() || recording.outcome != Outcome::complete) return nan;
+  const Measure what = std::visit([&](const auto& p) { return counted(p, asked); }, problem);
   const Reader reader(problem, recording, what);
   const Event* event = find_event(recording, what);
   const auto along = [&] {
@@ -203,7 +244,7 @@ double measure(const Problem& problem, const Recording& recording, const Measure
     case Kind::no_event:
       return event ? 0 : 1;
     case Kind::event_count:
-      return count(recording, what.event);
+      return count(recording, what);
     case Kind::force:
     case Kind::torque:
       return load(recording, what);

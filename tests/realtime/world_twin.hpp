@@ -2,10 +2,32 @@
 
 #include <vector>
 
+#include "cases/catalogue/builders/changed.hpp"
 #include "realtime/world.hpp"
-#include "tests/realtime/changed_scene.hpp"
+#include "tests/realtime/scenes.hpp"
 
 namespace handhold::realtime {
+
+namespace testing {
+
+using catalogue::Change;
+
+/// A scene, changed, and with it the hands' frames.
+class ChangedScene {
+ public:
+  ChangedScene(const Scene& scene, const Change& change) : change_(change), scene_(catalogue::changed(scene, change)) {}
+
+  [[nodiscard]] const Scene& scene() const { return scene_; }
+  [[nodiscard]] const Change& change() const { return change_; }
+  /// Of the hands at time `t` of the changed scene.
+  [[nodiscard]] std::vector<HandFrame> frames(double t) const { return testing::frames(scene_, t); }
+
+ private:
+  Change change_;
+  Scene scene_;
+};
+
+}  // namespace testing
 
 /// Makes worlds in the state of another one, so that a single frame of a run may be compared: what an engine does of
 /// itself, before chaos has had time to tell roundings apart.

@@ -4,8 +4,7 @@
 #include <memory>
 #include <numbers>
 
-#include "cases/geometry/shapes.hpp"
-#include "cases/geometry/voxelizer.hpp"
+#include "cases/catalogue/builders/block_field.hpp"
 #include "cases/hand/trace_builder.hpp"
 #include "cases/hand/trace_spline.hpp"
 
@@ -33,7 +32,7 @@ Eigen::Vector3d mean(const std::vector<Eigen::Vector3d>& points) {
 Body block(const Eigen::Vector3d& size, double voxel_size, double mass, const Friction& friction) {
   Body body;
   body.name = "block";
-  body.field = voxelize(make_box(size), {.voxel_size = voxel_size});
+  body.field = block_field(size, voxel_size);
   body.inertia.mass = mass;
   const Eigen::Vector3d s = size.cwiseAbs2() * mass / 12;
   body.inertia.about_center = Eigen::Vector3d(s.y() + s.z(), s.x() + s.z(), s.x() + s.y()).asDiagonal();

@@ -2,9 +2,8 @@
 
 #include <cmath>
 
+#include "cases/catalogue/builders/block_field.hpp"
 #include "cases/catalogue/builders/scenes.hpp"
-#include "cases/geometry/shapes.hpp"
-#include "cases/geometry/voxelizer.hpp"
 
 namespace handhold::catalogue {
 namespace {
@@ -17,18 +16,11 @@ constexpr double coarse_voxel = 1.0 / 256;  // [m]; the band is then 47 mm, room
 constexpr int thumb = 2, index = 5;         // distal phalanges
 const Eigen::Vector3d right = Eigen::Vector3d::UnitX(), up = Eigen::Vector3d::UnitZ();
 
-/// The field is the same for all, and immutable: once is enough. Samples stay 15 voxels off every edge, where the C2
-/// spline of the reference feels nothing of it (0.27 a voxel).
-std::shared_ptr<const VoxelField> palm_block_field() {
-  static const std::shared_ptr<const VoxelField> field =
-      voxelize(make_box({length, length, length}), {.voxel_size = coarse_voxel});
-  return field;
-}
-
 Body palm_block(const SliderOscillator& o) {
   Body body;
   body.name = "block";
-  body.field = palm_block_field();
+  // Samples stay 15 voxels off every edge, where the C2 spline of the reference feels nothing of it (0.27 a voxel).
+  body.field = block_field(Eigen::Vector3d::Constant(length), coarse_voxel);
   body.inertia.mass = o.mass;
   body.inertia.about_center = o.mass * length * length / 6 * Eigen::Matrix3d::Identity();
   body.friction = o.friction;
