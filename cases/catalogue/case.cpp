@@ -102,7 +102,9 @@ std::vector<Case> plain_cases() {
           pressed_case(),
           sweep_case(),
           round_cylinder_case(),
-          round_sphere_case()};
+          round_sphere_case(),
+          oblique_blow_case(),
+          support_case()};
 }
 
 }  // namespace

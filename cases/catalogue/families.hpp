@@ -46,6 +46,8 @@ namespace handhold::catalogue {
 [[nodiscard]] Case sweep_case();                // H06
 [[nodiscard]] Case round_cylinder_case();       // H07
 [[nodiscard]] Case round_sphere_case();         // H08
+[[nodiscard]] Case oblique_blow_case();         // H09
+[[nodiscard]] Case support_case();              // H10
 
 // Limits shared by the cases.
 

@@ -45,7 +45,8 @@ class Work {
        const SuiteProgress& progress)
       : judge_(judge), options_(options), progress_(progress) {
     for (const Case* c : cases)
-      for (const Run& run : c->runs) items_.push_back({c, &run, {}});
+      for (const Run& run : c->runs)
+        if (options.variants || run.variant.empty()) items_.push_back({c, &run, {}});
   }
 
   void run() {

@@ -23,7 +23,7 @@ namespace {
 struct SuiteCommand {
   compare::SuiteOptions suite{};
   std::vector<std::string> engines{}, levels{};
-  bool no_order{};
+  bool no_order{}, no_variants{};
   std::string out{"handhold-report"};
 };
 
@@ -57,6 +57,7 @@ compare::SuiteResult run(const SuiteCommand& command) {
 void execute(SuiteCommand command, Invocation& invocation) {
   check_report_folder(command.out);  // now, not after minutes of work
   if (command.no_order) command.suite.study_refinements.clear();
+  command.suite.variants = !command.no_variants;
   for (const std::string& name : command.levels) command.suite.levels.push_back(level_of(name));
   command.suite.stop = interrupted;
   compare::SuiteResult result = run(command);
@@ -99,6 +100,8 @@ void add_suite(CLI::App& app, Invocation& invocation) {
       ->check(number_in(1e-13, 1e-3))
       ->capture_default_str();
   command->add_flag("--no-order", options->no_order, "skip the studies of the order of accuracy")
+      ->disable_flag_override();
+  command->add_flag("--no-variants", options->no_variants, "skip the runs that are turned, mirrored and reordered")
       ->disable_flag_override();
   command->add_flag("--fail-fast", options->suite.fail_fast, "stop at the first gate that fails")
       ->disable_flag_override();

@@ -161,7 +161,7 @@ std::size_t failures(const SuiteResult& result) { return count(result).failed; }
 
 TEST(Suite, PassesTheTruthAndFailsWhatIsOffByAThousandth) {
   // The first run of C01 alone speaks of sliding; the two threshold runs slide as well and so one of them must fail.
-  const SuiteOptions options{.ids = {"C01"}, .study_refinements = {}};
+  const SuiteOptions options{.ids = {"C01"}, .study_refinements = {}, .variants = false};
   const Oracle right(1), slow(1.001);
   EXPECT_EQ(failures(run_suite({&right}, options)), 1U);
   EXPECT_EQ(failures(run_suite({&right, &slow}, options)), 5U);  // twice that, and three quantities at 1e-9
@@ -190,7 +190,7 @@ class Foreign : public Oracle {
 
 TEST(Suite, GradesAForeignEngineAndFailsNothingForIt) {
   const Foreign off(1.004);
-  const SuiteResult result = run_suite({&off}, {.ids = {"C01"}, .study_refinements = {}});
+  const SuiteResult result = run_suite({&off}, {.ids = {"C01"}, .study_refinements = {}, .variants = false});
   EXPECT_EQ(count(result).gates, 0U);
   EXPECT_FALSE(passed(result));  // nothing was gated, and nothing judged is no pass
   const std::vector<ClaimResult>& slides = result.cases.at(0).runs.at(0).claims;

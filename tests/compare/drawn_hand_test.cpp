@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "cases/hand/trace_spline.hpp"
 #include "cases/catalogue/builders/scenes.hpp"
 #include "cases/hand/trace_builder.hpp"
+#include "cases/hand/trace_spline.hpp"
 #include "cases/model/input_error.hpp"
 
 namespace handhold::compare {

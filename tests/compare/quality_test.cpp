@@ -8,10 +8,10 @@
 
 #include <gtest/gtest.h>
 
-#include "cases/hand/trace_spline.hpp"
 #include "cases/catalogue/builders/scenes.hpp"
 #include "cases/closed_form/off_centre_pinch.hpp"
 #include "cases/hand/trace_builder.hpp"
+#include "cases/hand/trace_spline.hpp"
 
 // Every recording here is written by hand, so that what the metrics must find is known.
 

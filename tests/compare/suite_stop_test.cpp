@@ -31,7 +31,7 @@ class Slow : public Engine {
 
 TEST(SuiteStop, DropsTheRunThatWasStoppedAndKeepsThoseBefore) {
   int asked = 0;
-  SuiteOptions options{.ids = {"C01"}, .study_refinements = {}, .threads = 1};
+  SuiteOptions options{.ids = {"C01"}, .study_refinements = {}, .variants = false, .threads = 1};
   options.stop = [&] { return ++asked > 37; };  // the first run asks 20 times, the second would
   const Slow slow;
   const SuiteResult result = run_suite({&slow, &slow}, options);
@@ -44,7 +44,7 @@ TEST(SuiteStop, DropsTheRunThatWasStoppedAndKeepsThoseBefore) {
 
 TEST(SuiteStop, RunsToItsEndWhenNobodyStopsIt) {
   const Slow slow;
-  const SuiteResult result = run_suite({&slow, &slow}, {.ids = {"C01"}, .study_refinements = {}});
+  const SuiteResult result = run_suite({&slow, &slow}, {.ids = {"C01"}, .study_refinements = {}, .variants = false});
   EXPECT_FALSE(result.interrupted);
   EXPECT_EQ(result.cases[0].runs.size(), 3U);
 }

@@ -1,4 +1,5 @@
-// What it takes to bring an engine of one's own: a class with two functions. The suite judges it by the line of all others.
+// What it takes to bring an engine of one's own: a class with two functions. The suite judges it by the line of all
+// others.
 #include <cmath>
 
 #include <gtest/gtest.h>

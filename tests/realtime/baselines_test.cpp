@@ -4,6 +4,7 @@
 
 #include "cases/catalogue/builders/scenes.hpp"
 #include "cases/model/input_error.hpp"
+#include "realtime/baselines/carried_body.hpp"
 #include "realtime/baselines/kinematic_grasp.hpp"
 #include "realtime/baselines/pinch_state.hpp"
 
@@ -172,6 +173,19 @@ TEST(PinchStateRule, HoldsUntilTheHysteresisIsPassed) {
   PinchState narrow(scene, {.release_distance = 0.002}), wide(scene, {.release_distance = 0.009});
   // Both tips leave at 0.33 m/s: 7 mm more take 21 ms, two frames.
   EXPECT_NEAR(play(wide, scene).released - play(narrow, scene).released, 0.021, 1.5 * frame);
+}
+
+/// V_WO is of the origin: a body that spins about its centre of mass, 0.1 m off, has its origin go round.
+TEST(Baselines, AThrownBodyKeepsTheSpeedOfItsCentre) {
+  Body body;
+  body.inertia = {.mass = 2, .center = {0.1, 0, 0}, .about_center = Eigen::Matrix3d::Identity()};
+  body.V_WO = {{0, 0, 5}, {1, -0.5, 0.2}};  // the centre's: (1, 0, 0.2)
+  CarriedBody carried(body);
+  EXPECT_LT((carried.state().V_WO.v - body.V_WO.v).norm(), 1e-15);
+  EXPECT_NEAR(carried.kinetic(), 0.5 * 2 * 1.04 + 0.5 * 25, 1e-14);
+  for (int i = 0; i < 10; ++i) carried.fly(Eigen::Vector3d::Zero(), 0, 0.05);
+  const Pose& X = carried.state().X_WO;
+  EXPECT_LT((X * body.inertia.center - Eigen::Vector3d(0.6, 0, 0.1)).norm(), 1e-14);
 }
 
 }  // namespace

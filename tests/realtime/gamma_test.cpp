@@ -81,6 +81,16 @@ Lift lift(double mass, double stiffness, double damping) {
   return result;
 }
 
+/// n springs and dampers side by side on one mass: c n / (2 sqrt(m k n)) is the ratio asked for, whatever n.
+TEST(Gamma, TheDampingRatioIsThatOfAllSamplesTogether) {
+  for (const int samples : {1, 16, 25}) {
+    GraspDemand d = demand(0.3);
+    d.samples = samples;
+    const double k = 150, c = auto_damping(d, k, 0.7);
+    EXPECT_NEAR(c * samples / (2 * std::sqrt(0.3 * k * samples)), 0.7, 1e-15) << samples;
+  }
+}
+
 TEST(Gamma, AHandLiftsTenGramsAndTenKilograms) {
   for (const double mass : {0.01, 0.1, 1.0, 10.0}) {
     const GraspDemand d = demand(mass);

@@ -73,9 +73,9 @@ TEST(AsymmetricTop, AgreesWithTheCatalogue) {
   }
 }
 
-/// On both sides of the separatrix, for more than a period.
+/// On both sides of the separatrix, 1.94 rad/s, for more than a period.
 TEST(AsymmetricTop, TurnsAsIntegrationSays) {
-  for (const double w3 : {7.0, 2.0}) {
+  for (const double w3 : {7.0, 2.0, 1.0}) {
     const Eigen::Vector3d I(1e-4, 1.7e-4, 2.4e-4);
     const AsymmetricTop top{I, 3, w3};
     const double T = 1.3 * period(top);
