@@ -84,8 +84,8 @@ class TwoBodies : public ::testing::Test {
       Frame f{.t = 0.5 * i, .bodies = {BodyState{}, BodyState{}}};
       f.bodies[1].X_WO.p.x() = i;
       f.contacts = {{.id = {.body = 0, .sample = 0}, .f_W = {7, 0, 0}}};  // of a hand
-      for (const std::uint8_t k : {0, 1, 2})
-        f.contacts.push_back({.id = {SampleId::of_body, 1, 0, k}, .f_W = {1.0 + k, 0, 0}});
+      for (int k = 0; k < 3; ++k)
+        f.contacts.push_back({.id = {SampleId::of_body, 1, 0, std::uint8_t(k)}, .f_W = {1.0 + k, 0, 0}});
       recording_.frames.push_back(f);
     }
     recording_.events = {{.t = 0.1, .kind = EventKind::touch, .id = {.body = 0, .sample = 0}},

@@ -3,6 +3,7 @@
 // --gtest_filter='Ratchet*:*EveryGateHolds*') and shows the difference.
 #include "tests/compare/ratchet.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <fstream>

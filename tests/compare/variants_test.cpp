@@ -25,7 +25,7 @@ TEST(Change, IsUndone) {
   const double t = 0.8;
   const BodyState back = odd.old({odd.pose(state.X_WO, t), odd.twist(state.V_WO)}, t);
   EXPECT_LT((back.X_WO.p - state.X_WO.p).norm(), 1e-15);
-  EXPECT_LT(back.X_WO.R.angularDistance(state.X_WO.R), 1e-15);
+  EXPECT_LT(back.X_WO.R.angularDistance(state.X_WO.R), 1e-14);
   EXPECT_LT((back.V_WO.v - state.V_WO.v).norm(), 1e-15);
   EXPECT_LT((back.V_WO.w - state.V_WO.w).norm(), 1e-15);
 }

@@ -183,7 +183,7 @@ TEST(Baselines, AThrownBodyKeepsTheSpeedOfItsCentre) {
   CarriedBody carried(body);
   EXPECT_LT((carried.state().V_WO.v - body.V_WO.v).norm(), 1e-15);
   EXPECT_NEAR(carried.kinetic(), 0.5 * 2 * 1.04 + 0.5 * 25, 1e-14);
-  for (int i = 0; i < 10; ++i) carried.fly(Eigen::Vector3d::Zero(), 0, 0.05);
+  for (int i = 0; i < 10; ++i) carried.fly(Eigen::Vector3d::Zero(), 1, 0.05);
   const Pose& X = carried.state().X_WO;
   EXPECT_LT((X * body.inertia.center - Eigen::Vector3d(0.6, 0, 0.1)).norm(), 1e-14);
 }
