@@ -47,7 +47,7 @@ Run run(const std::string& name, double sideways, bool sticks) {
        .truth = gap / down,
        .source = "L1 = L2: gap/v",
        .measure = {.kind = Measure::Kind::event_time, .event = EventKind::touch},
-       .controlled = controlled_limit(),
+       .controlled = absolute_controlled_limit(1 + 1 / down, "of places, over the speed of the crossing"),
        .stepped = event_limit()},
       {.quantity = "speed away",
        .unit = "m/s",

@@ -50,7 +50,7 @@ Case support_case() {
                  .source = "L1 = L2: it carries the weight",
                  .measure = {.kind = Measure::Kind::displacement, .axis = up, .at = end},
                  .controlled = absolute_controlled_limit(),
-                 .stepped = {.value = 1e-15, .reason = "no force at all: rounding of places of 0.1 m"}}};
+                 .stepped = {.value = 5e-15, .reason = "no force at all: rounding of places of a metre"}}};
   return {.id = "H10",
           .title = "A support brakes what it carries",
           .truth_level = "L1 = L2",
