@@ -60,6 +60,7 @@ void execute(SuiteCommand command, Invocation& invocation) {
   command.suite.variants = !command.no_variants;
   for (const std::string& name : command.levels) command.suite.levels.push_back(level_of(name));
   command.suite.stop = interrupted;
+  command.suite.keep_recordings = true;
   compare::SuiteResult result = run(command);
   result.provenance = provenance(command.suite);
   result.occasion = occasion(invocation.command_line);
@@ -69,7 +70,7 @@ void execute(SuiteCommand command, Invocation& invocation) {
   fmt::print("{}", text_table(result, {may_colour(1)}));
   if (!judged) return;  // interrupted at once: an earlier report is worth more
   fmt::print("{}: {}\n", result.interrupted ? "partial report" : "report",
-             std::filesystem::path(command.out).lexically_normal().string());
+             (std::filesystem::path(command.out) / "index.html").lexically_normal().string());
 }
 
 }  // namespace

@@ -56,6 +56,7 @@ int run(int count, char** arguments) {
   add_list(app, invocation);
   add_suite(app, invocation);
   add_run(app, invocation);
+  add_report(app, invocation);
   add_converge(app, invocation);
   add_voxelize(app, invocation);
   add_trace(app, invocation);

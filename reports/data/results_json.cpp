@@ -203,7 +203,7 @@ std::string results_json(const compare::SuiteResult& result) {
   return dump(out);
 }
 
-std::string times_json(const compare::SuiteResult& result) {
+std::string times_json(const compare::SuiteResult& result, const RecordingNames& recordings) {
   Json out;
   out["format"] = "handhold times";
   out["version"] = 1;
@@ -221,6 +221,7 @@ std::string times_json(const compare::SuiteResult& result) {
         row["engine"] = play.engine;
         put(row, "seconds", play.seconds);
         row["frame_seconds"] = frame_json(play.frame);
+        if (const auto kept = recordings.find(&play); kept != recordings.end()) row["recording"] = kept->second;
         out["plays"].push_back(std::move(row));
       }
   return dump(out);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 
 #include "compare/judge/result.hpp"
@@ -12,7 +13,11 @@ namespace handhold::reports {
 /// "nan"); in a list, "<list>_text" maps the place to the text.
 [[nodiscard]] std::string results_json(const compare::SuiteResult& result);
 
-/// What differs from one run to the next: when and where it ran, wall times, CPU times a frame.
-[[nodiscard]] std::string times_json(const compare::SuiteResult& result);
+/// The names that recordings are kept by, for the page.
+using RecordingNames = std::map<const compare::Play*, std::string>;
+
+/// What differs from one run to the next: when and where it ran, wall times, CPU times a frame, and the names of
+/// recordings, which hold such times.
+[[nodiscard]] std::string times_json(const compare::SuiteResult& result, const RecordingNames& recordings = {});
 
 }  // namespace handhold::reports

@@ -15,7 +15,7 @@
 
 #include "cases/model/input_error.hpp"
 #include "reports/data/junit.hpp"
-#include "reports/data/results_json.hpp"
+#include "reports/data/page_data.hpp"
 #include "reports/data/table.hpp"
 
 namespace handhold::reports {
@@ -23,8 +23,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 5> report_files{"index.html", "results.json", "times.json", "junit.xml",
-                                                       "table.txt"};
+constexpr std::array<std::string_view, 6> report_files{"index.html", "results.json", "times.json",
+                                                       "junit.xml",  "table.txt",    "recordings"};
 
 [[noreturn]] void fail(const fs::path& what, int error) {
   throw InputError(
@@ -153,14 +153,33 @@ void make_writable_folder(const fs::path& folder) {
   fs::remove(trial, error);
 }
 
+namespace {
+
+void write_into(const fs::path& folder, const StoredReport& report) {
+  write_new(folder / "index.html", page(report));
+  write_new(folder / "results.json", report.results);
+  write_new(folder / "times.json", report.times);
+  if (!report.recordings.empty()) fs::create_directory(folder / "recordings");
+  for (const auto& [name, bytes] : report.recordings) write_new(folder / "recordings" / name, bytes);
+}
+
+}  // namespace
+
 void write_report(const compare::SuiteResult& result, const fs::path& folder) {
   const fs::path target = plain(folder);
   require_replaceable(target);
   const Staging staging(target);
-  write_new(staging.path() / "results.json", results_json(result));
-  write_new(staging.path() / "times.json", times_json(result));
+  write_into(staging.path(), stored_report(result));
   write_new(staging.path() / "junit.xml", junit_xml(result));
   write_new(staging.path() / "table.txt", text_table(result));
+  exchange(staging.path(), target);
+}
+
+void write_report(const StoredReport& report, const fs::path& folder) {
+  const fs::path target = plain(folder);
+  require_replaceable(target);
+  const Staging staging(target);
+  write_into(staging.path(), report);
   exchange(staging.path(), target);
 }
 

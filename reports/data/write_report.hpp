@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "compare/judge/suite.hpp"
+#include "reports/data/stored_report.hpp"
 
 namespace handhold::reports {
 
@@ -12,10 +13,13 @@ namespace handhold::reports {
 /// not after it.
 void check_report_folder(const std::filesystem::path& folder);
 
-/// Writes index.html, results.json, junit.xml and table.txt into a new folder beside `folder`, then exchanges the two
-/// in one step and removes the old one: an interrupt or a full disk leaves the previous report whole. Parents are made
-/// as needed. Throws InputError if it cannot be written.
+/// Writes index.html, results.json, times.json, junit.xml, table.txt and recordings/ into a new folder beside `folder`,
+/// then exchanges the two in one step and removes the old one: an interrupt or a full disk leaves the previous report
+/// whole. Parents are made as needed. Throws InputError if it cannot be written.
 void write_report(const compare::SuiteResult& result, const std::filesystem::path& folder);
+
+/// The same of a report that was stored, without junit.xml and table.txt.
+void write_report(const StoredReport& report, const std::filesystem::path& folder);
 
 /// Makes `folder` with its parents if need be; throws InputError unless files can then be written into it.
 void make_writable_folder(const std::filesystem::path& folder);
