@@ -1,13 +1,15 @@
 import { render } from 'preact';
 import { reportOf } from './model';
 import { inflateJson } from './packed';
-import { checked } from './results';
+import { checked, type Times } from './results';
 import { App } from './ui/App';
 import './style/page.css';
 
 async function start(root: HTMLElement): Promise<void> {
   try {
-    const report = reportOf(checked(await inflateJson('results')));
+    const results = checked(await inflateJson('results'));
+    const times = (await inflateJson('times').catch(() => undefined)) as Times | undefined;  // a report without is one
+    const report = reportOf(results, times);
     render(<App report={report} />, root);
     performance.mark('rendered');
   } catch (error) {

@@ -1,6 +1,9 @@
 /** What the page makes of the results: engines with a colour, gates in their place, figures of an engine. */
 import { errorText, quantity, ratioText } from './format';
-import type { GradeName, RawCase, RawClaim, RawEngine, RawJudgement, RawRun, Results } from './results';
+import type {
+  GradeName, PlayTimes, RawCase, RawClaim, RawEngine, RawJudgement, RawPlay, RawRun, RawStudy, Results,
+  Times,
+} from './results';
 import { linkTo } from './route';
 
 export interface Engine extends RawEngine {
@@ -10,10 +13,13 @@ export interface Engine extends RawEngine {
   dash: number[];
 }
 
+export type Play = RawPlay & Partial<PlayTimes>;
+
 export interface Run extends RawRun {
   index: number;
   /** name and variant */
   label: string;
+  plays: Play[];
 }
 
 export interface Case extends Omit<RawCase, 'runs'> {
@@ -42,6 +48,7 @@ export interface Gate {
 
 export interface Report {
   results: Results;
+  times: Times;
   engines: Engine[];
   cases: Case[];
   gates: Gate[];
@@ -57,36 +64,49 @@ function engineOf(raw: RawEngine, index: number): Engine {
   return { ...raw, colour: `--engine-${index % COLOURS}`, dash: DASHES[index % DASHES.length]! };
 }
 
-function caseOf(raw: RawCase): Case {
+const keyOf = (...parts: (string | undefined)[]): string => parts.map((part) => part ?? '').join('\n');
+
+function caseOf(raw: RawCase, costs: Map<string, PlayTimes>): Case {
   const runs = raw.runs.map((r, index): Run => ({
     ...r, index, label: [r.name, r.variant].filter(Boolean).join(', ') || `run ${index + 1}`,
+    plays: (r.plays ?? []).map((p) => ({ ...costs.get(keyOf(raw.id, r.name, r.variant, p.engine)), ...p })),
   }));
   return { ...raw, runs };
 }
 
 export function ratioOf(error: number | null, limit: number): number {
-  if (error === null) return Infinity;
+  if (error === null || Number.isNaN(limit)) return Infinity;
   if (error === 0) return 0;
   return limit === 0 ? Infinity : Math.abs(error) / limit;
 }
 
-/** Everything that is judged against a limit for an engine that is gated. */
-export const isGate = (engine: RawEngine | undefined, j: RawJudgement): boolean =>
-  engine?.gated === true && j.state === 'judged' && j.limit !== null;
+/** Judged against a limit: foreign engines are only graded. */
+export const isGate = (j: RawJudgement): boolean => j.state === 'judged' && j.limit !== undefined;
+
+/** Slack is limit over what was measured: null where that is zero, or not finite. */
+function studyRatio(study: RawStudy): number {
+  if (study.slope === null || study.limit === null) return Infinity;
+  return study.slack ? 1 / study.slack : study.passes ? 0 : Infinity;
+}
 
 function gatesOf(caseOf: Case, run: Run, engines: Map<string, Engine>): Gate[] {
   return run.claims.flatMap((claim) => {
-    const place = { caseOf, run, claim, quantity: claim.quantity, unit: claim.unit, relative: claim.relative };
-    const judged = claim.judgements.filter((j) => isGate(engines.get(j.engine), j)).map((j): Gate => ({
-      ...place, engine: engines.get(j.engine)!, value: j.value, error: j.error, limit: j.limit!, reason: j.reason,
-      passes: j.passes, vacuous: j.vacuous, ratio: ratioOf(j.error, j.limit!),
-    }));
-    const studies = (claim.studies ?? []).filter((s) => engines.get(s.engine)?.gated).map((s): Gate => {
-      const error = s.slope === null ? null : Math.abs(s.slope - 1);
+    const place = { caseOf, run, claim, quantity: claim.quantity, unit: claim.unit, relative: false };
+    const judged = claim.judgements.filter(isGate).map((j): Gate => {
+      const error = j.error ?? null;
+      const limit = j.limit ?? NaN;
       return {
-        ...place, quantity: `order of ${claim.quantity}`, unit: '', relative: false, engine: engines.get(s.engine)!,
-        value: s.slope, error, limit: s.limit, reason: s.reason, passes: s.passes, vacuous: false,
-        ratio: ratioOf(error, s.limit),
+        ...place, relative: j.relative === true, engine: engines.get(j.engine)!, value: j.value ?? null, error, limit,
+        reason: j.reason ?? '', passes: j.passes === true, vacuous: j.vacuous === true, ratio: ratioOf(error, limit),
+      };
+    });
+    const studies = (claim.studies ?? []).map((s): Gate => {
+      const ratio = studyRatio(s);
+      const limit = s.limit ?? NaN;
+      return {
+        ...place, quantity: `order of ${claim.quantity}`, unit: '', engine: engines.get(s.engine)!, value: s.slope,
+        error: s.slope === null ? null : ratio * limit, limit, reason: s.reason, passes: s.passes, vacuous: s.vacuous === true,
+        ratio,
       };
     });
     return [...judged, ...studies];
@@ -103,13 +123,16 @@ function grouped<K>(gates: readonly Gate[], key: (gate: Gate) => K): Map<K, Gate
   return out;
 }
 
-export function reportOf(results: Results): Report {
+const NO_TIMES: Times = { occasion: {}, seconds: null, plays: [] };
+
+export function reportOf(results: Results, times: Times = NO_TIMES): Report {
   const engines = results.engines.map(engineOf);
   const named = new Map(engines.map((e) => [e.name, e]));
-  const cases = results.cases.map(caseOf);
+  const costs = new Map(times.plays.map((p) => [keyOf(p.case, p.run, p.variant, p.engine), p]));
+  const cases = results.cases.map((c) => caseOf(c, costs));
   const gates = cases.flatMap((c) => c.runs.flatMap((run) => gatesOf(c, run, named)));
   const byCase = grouped(gates, (g) => g.caseOf);
-  return { results, engines, cases, gates, byCase, byEngine: grouped(gates, (g) => g.engine) };
+  return { results, times, engines, cases, gates, byCase, byEngine: grouped(gates, (g) => g.engine) };
 }
 
 export const worst = (gates: readonly Gate[]): Gate | undefined =>
@@ -143,11 +166,11 @@ export function standing(report: Report, c: Case, engine: Engine): Standing {
 }
 
 /** A claim that something holds: its truth is 0 or 1, without a unit. */
-export const asksYesNo = (c: RawClaim): boolean => c.unit === '' && (c.truth === 0 || c.truth === 1) && !c.relative;
+export const asksYesNo = (c: RawClaim): boolean => c.unit === '' && (c.truth === 0 || c.truth === 1);
 
 /** A claim that something holds is answered with yes or no. */
-export function claimValue(value: number | null, claim: RawClaim, unit = claim.unit): string {
-  return value !== null && asksYesNo(claim) ? (value ? 'yes' : 'no') : quantity(value, unit, 5);
+export function claimValue(value: number | null | undefined, claim: RawClaim): string {
+  return typeof value === 'number' && asksYesNo(claim) ? (value ? 'yes' : 'no') : quantity(value, claim.unit, 5);
 }
 
 export function gateError(value: number | null, g: Gate): string {
@@ -173,7 +196,7 @@ export const linkToGate = (g: Gate): string => linkTo(g.caseOf.id, g.run.index, 
 /** The engine to draw as a ghost over another: one that controls its error, if it played the run. */
 export function ghostOf(report: Report, run: Run): Engine | undefined {
   return report.engines.find((e) => e.error_model === 'controlled' &&
-    run.plays?.some((p) => p.engine === e.name && p.recording));
+    run.plays.some((p) => p.engine === e.name && p.recording));
 }
 
 export interface Bias {
@@ -202,7 +225,7 @@ function median(values: readonly number[]): number {
 function biasOf(report: Report, engine: Engine, unit: string): Bias | null {
   const relative = report.cases.flatMap((c) => c.runs.flatMap((r) => r.claims.flatMap((claim) => {
     const j = claim.judgements.find((x) => x.engine === engine.name && x.state === 'judged');
-    return claim.unit === unit && claim.truth && j && j.value !== null ? [j.value / claim.truth - 1] : [];
+    return claim.unit === unit && claim.truth && j && typeof j.value === 'number' ? [j.value / claim.truth - 1] : [];
   })));
   if (relative.length < 3) return null;
   const middle = median(relative);
@@ -214,7 +237,7 @@ export const BIAS_UNITS: readonly (readonly [string, string])[] = [['s', 'times'
 /** What stands above an engine's column. */
 export function figuresOf(report: Report, engine: Engine): EngineFigures {
   const gates = report.byEngine.get(engine) ?? [];
-  const plays = report.cases.flatMap((c) => c.runs.flatMap((r) => r.plays ?? []));
+  const plays = report.cases.flatMap((c) => c.runs.flatMap((r) => r.plays));
   const times = plays.filter((p) => p.engine === engine.name).flatMap((p) => p.frame_seconds ?? []);
   const measured = times.filter((f) => f.frames > 0 && f.p50 !== null && f.p99 !== null);
   const bias = BIAS_UNITS.flatMap(([unit]) => {

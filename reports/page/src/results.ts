@@ -1,4 +1,4 @@
-/** results.json, version 2, as the program writes it. Numbers that are not finite are null with a key `..._text`. */
+/** results.json, version 2, and times.json, as the program writes them. Numbers that are not finite are null. */
 export interface RawVerdict {
   passed: boolean;
   sentence: string;
@@ -7,6 +7,7 @@ export interface RawVerdict {
   failed: number;
   vacuous: number;
   not_asked: number;
+  graded?: number;
 }
 
 export interface RawEngine {
@@ -24,25 +25,31 @@ export type GradeName = '0.1 %' | '1 %' | '5 %' | 'wrong' | 'right';
 export interface RawJudgement {
   engine: string;
   state: 'judged' | 'not asked';
+  /** not asked: why */
   why?: string;
-  value: number | null;
-  error: number | null;
-  limit: number | null;
-  reason: string;
-  vacuous: boolean;
-  passes: boolean;
-  sentence: string;
+  value?: number | null;
+  error?: number | null;
+  /** the error is |value / truth - 1|, else |value - truth| */
+  relative?: boolean;
+  /** of a gate; absent where nothing is gated, null where it is not finite */
+  limit?: number | null;
+  reason?: string;
+  vacuous?: boolean;
+  passes?: boolean;
+  sentence?: string;
   grade?: GradeName | null;
 }
 
 export interface RawStudy {
   engine: string;
-  substep: number[];
+  step: number[];
   error: (number | null)[];
   slope: number | null;
   standard_error: number | null;
+  slack?: number | null;
+  vacuous?: boolean;
   passes: boolean;
-  limit: number;
+  limit: number | null;
   reason: string;
   sentence: string;
 }
@@ -53,7 +60,7 @@ export interface RawClaim {
   truth: number | null;
   pedigree: string;
   source: string;
-  relative: boolean;
+  /** the instant that the claim names, s */
   at?: number | null;
   judgements: RawJudgement[];
   studies?: RawStudy[];
@@ -80,11 +87,10 @@ export interface FrameSeconds {
 
 export interface RawPlay {
   engine: string;
-  outcome: string;
+  /** not asked, and why */
+  why?: string;
+  /** how it ended, when not complete */
   note: string;
-  seconds: number | null;
-  frame_seconds?: FrameSeconds | null;
-  recording?: string | null;
 }
 
 export interface RawRun {
@@ -99,6 +105,7 @@ export interface RawCase {
   id: string;
   title: string;
   level: string;
+  truth_level?: string;
   statement: string;
   formula: string;
   note: string;
@@ -110,9 +117,25 @@ export interface Results {
   version: number;
   verdict: RawVerdict;
   provenance: Record<string, string>;
-  seconds: number | null;
   engines: RawEngine[];
   cases: RawCase[];
+}
+
+/** What one engine's play of a run cost, and the recording of it that this page carries. */
+export interface PlayTimes {
+  case: string;
+  run: string;
+  variant: string;
+  engine: string;
+  seconds: number | null;
+  frame_seconds: FrameSeconds | null;
+  recording?: string;
+}
+
+export interface Times {
+  occasion: Record<string, string>;
+  seconds: number | null;
+  plays: PlayTimes[];
 }
 
 const FORMAT = 'handhold results';

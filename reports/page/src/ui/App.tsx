@@ -75,7 +75,7 @@ function useKeys(report: Report, clock: Clock, route: Route, { onGhost, onFollow
     };
     const goEngine = (): void => {
       const plays = cases.find((c) => c.id === route.caseId)?.runs[route.run]?.plays;
-      const players = engines.filter((e) => plays?.some((p) => p.engine === e.name) ?? true);
+      const players = engines.filter((e) => plays?.some((p) => p.engine === e.name && !p.why));
       const to = next(players, players.findIndex((e) => e.name === route.engine), 1);
       location.hash = linkTo(route.caseId, route.run, to.name, clock.t);
     };

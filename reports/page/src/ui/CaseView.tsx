@@ -68,7 +68,7 @@ function CaseHead({ report, c, run, chosen, clock }: { report: Report; c: Case; 
   const runs = c.runs.map((r): Option => ({
     name: r.label, href: linkTo(c.id, r.index, chosen), on: r === run, state: stateOf(gates.filter((g) => g.run === r)),
   }));
-  const players = engines.filter((e) => run.plays?.some((p) => p.engine === e.name) ?? true).map((e): Option => ({
+  const players = engines.filter((e) => run.plays.some((p) => p.engine === e.name && !p.why)).map((e): Option => ({
     name: e.name, href: linkTo(c.id, run.index, e.name, clock.t), on: e.name === chosen, engine: e,
     state: stateOf(gates.filter((g) => g.run === run && g.engine === e)),
   }));
@@ -91,21 +91,19 @@ const LEVELS: Record<string, string> = {
   L3: 'the discrete law as the paper prints it is the truth',
 };
 
-function CaseText({ c, played }: { c: Case; played: Played | undefined }) {
+function CaseText({ c, run }: { c: Case; run: Run }) {
   const formula = formulas[c.id];
   const level = LEVELS[c.level.slice(0, 2)];
-  const recording = played?.recording;
+  const notes = run.plays.filter((p) => p.note);
   return (
     <div class="case-text">
       <p class="statement"><Prose text={c.statement} /></p>
       {formula
         ? <div class="formula" dangerouslySetInnerHTML={{ __html: formula }} />
         : c.formula && <p class="formula"><Prose text={c.formula} /></p>}
-      <p class="level"><b>{c.level}</b>{level && ` ${level}`}</p>
+      <p class="level"><b>{c.truth_level || c.level}</b>{level && ` ${level}`}</p>
       {c.note && <p class="note"><Prose text={c.note} /></p>}
-      {recording && recording.outcome !== 'complete' && (
-        <p class="note">{played.engine.name} ended as {recording.outcome}. {recording.note}</p>
-      )}
+      {notes.map((p) => <p class="note">{p.engine}: <Prose text={p.note} /></p>)}
     </div>
   );
 }
@@ -163,13 +161,13 @@ export function CaseView({ report, route, clock, theme, ...scene }: Props) {
   const [section, near] = useNear();
   const [loaded, failure] = useRecordings(id, report.engines, run, near);
   const current = loaded?.id === id ? loaded : null;
-  const chosen = route.engine || run.plays?.find((p) => p.recording)?.engine || report.engines[0]?.name || '';
+  const chosen = route.engine || run.plays.find((p) => p.recording)?.engine || report.engines[0]?.name || '';
   const { played, ghost } = partsOf(report, run, loaded, chosen);
   const t = played?.recording.t ?? run.curve?.t ?? [0, 1];
   const end = t[t.length - 1]!;
   const step = t[1]! - t[0]! || 1 / 90;
   useEffect(() => { if (current) clock.restart(end, route.t); }, [current]);
-  const budget = frameBudget(report.results.provenance['frame rate']);
+  const budget = frameBudget(report.engines);
   const wait = failure ? `The recordings cannot be read: ${failure}.` : 'Decoding…';
   const absent = current && !played ? 'These results carry no recording of this run.' : wait;
   return (
@@ -181,7 +179,7 @@ export function CaseView({ report, route, clock, theme, ...scene }: Props) {
             ? <SceneView sceneId={loaded!.id} played={played} meshes={loaded!.meshes} ghost={ghost} theme={theme} {...scene} />
             : <div class="scene"><div class="scene-picture"><p class="absent" role="status">{absent}</p></div></div>}
           <Transport step={step} />
-          <CaseText c={c} played={played} />
+          <CaseText c={c} run={run} />
         </div>
         <div class="case-right">
           {near && <Strips {...{ report, run, played, ghost, end, step, chosen, theme }} />}
@@ -191,7 +189,7 @@ export function CaseView({ report, route, clock, theme, ...scene }: Props) {
         <div><h3>Claims</h3><Claims report={report} run={run} chosen={chosen} /></div>
         <div>
           <h3>CPU time a frame</h3>
-          <FrameTimes engines={report.engines} plays={run.plays ?? []} played={current?.played ?? []} budget={budget} />
+          <FrameTimes engines={report.engines} plays={run.plays} played={current?.played ?? []} budget={budget} />
           <h3>Error against sub-step</h3>
           <Orders report={report} run={run} />
         </div>

@@ -22,7 +22,8 @@ function JudgementRow({ claim, engine, judgement: j, gate, chosen }: RowProps) {
   if (j.state !== 'judged') {
     return <tr class={chosen ? 'chosen' : ''}>{name}<td colSpan={4} class="why">not asked: <Prose text={j.why ?? ''} /></td></tr>;
   }
-  const error = (value: number | null): string => (asksYesNo(claim) ? '–' : errorText(value, claim.unit, claim.relative));
+  const error = (value: number | null | undefined): string =>
+    asksYesNo(claim) ? '–' : errorText(value ?? null, claim.unit, j.relative === true);
   return (
     <tr class={chosen ? 'chosen' : ''}>
       {name}

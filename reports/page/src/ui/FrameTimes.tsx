@@ -1,6 +1,5 @@
 import { quantity } from '../format';
-import type { Engine } from '../model';
-import type { RawPlay } from '../results';
+import type { Engine, Play } from '../model';
 import type { Played } from './Strips';
 import { useWidth } from './time';
 
@@ -17,7 +16,7 @@ interface Row {
   times: number[];
 }
 
-function rowsOf(engines: readonly Engine[], plays: readonly RawPlay[], played: readonly Played[]): Row[] {
+function rowsOf(engines: readonly Engine[], plays: readonly Play[], played: readonly Played[]): Row[] {
   return engines.flatMap((engine) => {
     const of = plays.find((p) => p.engine === engine.name)?.frame_seconds;
     const recording = played.find((p) => p.engine === engine)?.recording;
@@ -26,10 +25,10 @@ function rowsOf(engines: readonly Engine[], plays: readonly RawPlay[], played: r
   });
 }
 
-/** "90 Hz" -> 1 / 90 s */
-export function frameBudget(rate: string | undefined): number {
-  const hertz = Number.parseFloat(rate ?? '');
-  return hertz > 0 ? 1 / hertz : 1 / 90;
+/** s a frame, as an engine's settings say it ("frame rate": "90 Hz"). */
+export function frameBudget(engines: readonly Engine[]): number {
+  const rates = engines.map((e) => Number.parseFloat(e.settings['frame rate'] ?? '')).filter((hertz) => hertz > 0);
+  return 1 / (rates[0] ?? 90);
 }
 
 interface Layout {
@@ -57,7 +56,7 @@ function Histogram({ times, base, colour, layout }: { times: number[]; base: num
 
 interface Props {
   engines: readonly Engine[];
-  plays: readonly RawPlay[];
+  plays: readonly Play[];
   played: readonly Played[];
   budget: number;
 }

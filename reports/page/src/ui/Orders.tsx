@@ -16,7 +16,7 @@ interface Point {
 
 /** Log-log places of the errors that are known and not zero. */
 function pointsOf(study: RawStudy): Point[] {
-  return study.substep.flatMap((substep, i) => {
+  return study.step.flatMap((substep, i) => {
     const error = study.error[i];
     return error ? [{ substep, x: Math.log10(substep), y: Math.log10(Math.abs(error)) }] : [];
   });

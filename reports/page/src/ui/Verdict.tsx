@@ -41,7 +41,8 @@ function detailOf(report: Report): string {
 const FIRST = ['version', 'finished', 'compiler', 'processor', 'frame rate'];
 
 function Provenance({ report }: { report: Report }) {
-  const { provenance, seconds: took } = report.results;
+  const { occasion, seconds: took } = report.times;
+  const provenance = { ...report.results.provenance, ...occasion };
   const facts = Object.entries(provenance).filter(([key]) => key !== 'command');
   const first = FIRST.flatMap((key) => (provenance[key] ? [[key, provenance[key]] as const] : []));
   const rest = facts.filter(([key]) => !FIRST.includes(key));

@@ -11,7 +11,7 @@ export interface Loaded {
 }
 
 async function load(id: string, engines: readonly Engine[], run: Run): Promise<Loaded> {
-  const kept = (run.plays ?? []).filter((p) => p.recording);
+  const kept = run.plays.filter((p) => p.recording);
   const all = await Promise.all(kept.map(async (p) => ({
     engine: engines.find((e) => e.name === p.engine), recording: await decodeRecording(p.recording!),
   })));
