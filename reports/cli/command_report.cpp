@@ -32,7 +32,7 @@ void execute(const ReportCommand& command) {
   check_report_folder(command.out);
   std::vector<NamedReport> parts;
   for (const std::string& given : command.results) parts.push_back({name_of(given), read_report(given)});
-  write_report(merged(std::move(parts)), command.out);
+  write_stored_report(merged(std::move(parts)), command.out);
   fmt::print("report: {}\n", (fs::path(command.out) / "index.html").lexically_normal().string());
 }
 

@@ -175,7 +175,7 @@ void write_report(const compare::SuiteResult& result, const fs::path& folder) {
   exchange(staging.path(), target);
 }
 
-void write_report(const StoredReport& report, const fs::path& folder) {
+void write_stored_report(const StoredReport& report, const fs::path& folder) {
   const fs::path target = plain(folder);
   require_replaceable(target);
   const Staging staging(target);

@@ -19,7 +19,7 @@ void check_report_folder(const std::filesystem::path& folder);
 void write_report(const compare::SuiteResult& result, const std::filesystem::path& folder);
 
 /// The same of a report that was stored, without junit.xml and table.txt.
-void write_report(const StoredReport& report, const std::filesystem::path& folder);
+void write_stored_report(const StoredReport& report, const std::filesystem::path& folder);
 
 /// Makes `folder` with its parents if need be; throws InputError unless files can then be written into it.
 void make_writable_folder(const std::filesystem::path& folder);

@@ -42,7 +42,7 @@ class WriteReport : public testing::Test {
 
 TEST_F(WriteReport, WritesAllFilesAndLeavesNothingBeside) {
   write_report(sample_result(), root / "a" / "report/");
-  for (const char* name : {"results.json", "times.json", "junit.xml", "table.txt"})
+  for (const char* name : {"index.html", "results.json", "times.json", "junit.xml", "table.txt"})
     EXPECT_GT(fs::file_size(root / "a" / "report" / name), 100u) << name;
   EXPECT_EQ(std::distance(fs::directory_iterator(root / "a"), fs::directory_iterator()), 1);
 }
