@@ -35,9 +35,8 @@ struct Cell {
   int gates{}, failed{};
   std::set<std::string> grades{};
 
-  void add(const Json& judgement, bool gated) {
-    if (judgement.value("state", "judged") != "judged") return;
-    if (gated) {
+  void add(const Json& judgement) {
+    if (judgement.contains("limit")) {
       ++gates;
       failed += judgement.value("passes", false) ? 0 : 1;
     } else if (judgement.contains("grade") && judgement["grade"].is_string()) {
@@ -59,7 +58,7 @@ Cell cell(const Json& of_case, const Json& engine) {
     for (const Json& claim : run.at("claims"))
       for (const char* list : {"judgements", "studies"})
         for (const Json& judgement : claim.value(list, Json::array()))
-          if (judgement.value("engine", "") == name) out.add(judgement, engine.value("gated", false));
+          if (judgement.value("engine", "") == name) out.add(judgement);
   return out;
 }
 

@@ -60,8 +60,10 @@ function EngineRow({ engine, dots, narrow }: RowProps) {
   const held = dots.filter((d) => d.gate.passes).length;
   return (
     <g>
-      <text class="row-name" y={narrow ? -68 : -16}>{engine.name}</text>
-      <text class="row-note" x={narrow ? 150 : 0} y={narrow ? -68 : 0}>{held} of {dots.length} hold</text>
+      <text y={narrow ? -68 : -16}>
+        <tspan class="row-name">{engine.name}</tspan>
+        <tspan {...(narrow ? { dx: 10 } : { x: 0, dy: 16 })}>{held} of {dots.length} hold</tspan>
+      </text>
       {dots.map((dot) => <Mark {...dot} colour={engine.colour} />)}
     </g>
   );

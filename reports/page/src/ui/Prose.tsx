@@ -8,7 +8,7 @@ function printed(text: string): string {
     .replace(/>=/g, '≥').replace(/<=/g, '≤')
     .replace(/(\d)e-(\d)\b/g, (_, a: string, b: string) => `${a} × 10⁻${'⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(b)]}`)
     .replace(/\b(\d) x (\d)/g, '$1 × $2')
-    .replace(/-(?=\d)/g, '−');
+    .replace(/\+-/g, '±').replace(/-(?=\d)/g, '−');
 }
 
 function Letter({ name }: { name: string }) {
