@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "reports/data/page_frame.hpp"
 
 // The assembler copies the file's bytes in, which a compiler given them as an array would take minutes over.

@@ -1,4 +1,5 @@
-// Makes the page's frame: program, style and fonts in one HTML file, with places for the data that the C++ program fills.
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Makes the page's frame: program, style and fonts in one HTML file, with places for data that the C++ program fills.
 // node build.mjs OUT (run where node_modules lies)
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -13,7 +14,8 @@ const folderOf = (name) => join('node_modules', ...name.split('/'));
 
 /** TeX of the cases -> MathML. */
 function formulas() {
-  const lines = (tex) => tex.map((line) => temml.renderToString(line, { displayMode: true, throwOnError: true })).join('');
+  const options = { displayMode: true, throwOnError: true };
+  const lines = (tex) => tex.map((line) => temml.renderToString(line, options)).join('');
   return Object.fromEntries(Object.entries(json('formulas.json')).map(([id, tex]) => [id, lines(tex)]));
 }
 
@@ -51,7 +53,9 @@ const made = {
   name: 'made',
   setup(build) {
     build.onResolve({ filter: /^(page|font):/ }, ({ path }) => ({ path, namespace: 'made' }));
-    build.onLoad({ filter: /^font:/, namespace: 'made' }, async ({ path }) => ({ contents: await font(path), loader: 'dataurl' }));
+    build.onLoad({ filter: /^font:/, namespace: 'made' }, async ({ path }) => ({
+      contents: await font(path), loader: 'dataurl',
+    }));
     build.onLoad({ filter: /^page:/, namespace: 'made' }, ({ path }) => ({
       contents: JSON.stringify(path === 'page:formulas' ? formulas() : licences()), loader: 'json',
     }));
@@ -59,8 +63,9 @@ const made = {
 };
 
 const { outputFiles } = await build({
-  entryPoints: ['src/main.tsx'], outdir: 'out', bundle: true, minify: true, write: false, format: 'iife', target: 'es2022',
-  jsx: 'automatic', jsxImportSource: 'preact', legalComments: 'none', charset: 'utf8', plugins: [made], logLevel: 'warning',
+  entryPoints: ['src/main.tsx'], outdir: 'out', bundle: true, minify: true, write: false, format: 'iife',
+  target: 'es2022', jsx: 'automatic', jsxImportSource: 'preact', legalComments: 'none', charset: 'utf8',
+  plugins: [made], logLevel: 'warning',
 });
 const textOf = (end) => outputFiles.find((f) => f.path.endsWith(end)).text;
 const program = textOf('.js').replaceAll('</script', '<\\/script').replaceAll('<!--', '\\x3c!--');

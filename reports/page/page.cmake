@@ -1,5 +1,6 @@
-# HANDHOLD_PAGE_FRAME: the file that becomes part of the program as the report's page. Made from TypeScript with node in the
-# build folder, <build>/page; without node, a plain table.
+# SPDX-License-Identifier: GPL-3.0-or-later
+# HANDHOLD_PAGE_FRAME: the file that becomes part of the program as the report's page. Made from TypeScript with node in
+# <build>/page; without node, a plain table.
 option(HANDHOLD_PAGE "Build the report's page, which needs node and npm; OFF: reports are a plain table" ON)
 
 if(NOT HANDHOLD_PAGE)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Headless Chromium on a page from file://, with what every test asks of it: no error, no request.
 import { createRequire } from 'node:module';
 import { join } from 'node:path';

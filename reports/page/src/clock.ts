@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 type Listener = (t: number) => void;
 
 export const SPEEDS: readonly number[] = [0.05, 0.1, 0.25, 0.5, 1];

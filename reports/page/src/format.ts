@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 const PREFIXES: readonly (readonly [number, string])[] = [
   [1, ''], [1e-3, 'm'], [1e-6, 'µ'], [1e-9, 'n'], [1e-12, 'p'], [1e-15, 'f'],
 ];
@@ -13,7 +14,8 @@ export interface Scaled {
 export const minus = (text: string): string => text.replace(/-/g, '\u2212');
 export const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
 export const list = (words: readonly string[]): string => new Intl.ListFormat('en').format(words);
-export const count = (n: number, noun: string): string => `${n.toLocaleString('en')}${NBSP}${noun}${n === 1 ? '' : 's'}`;
+export const count = (n: number, noun: string): string =>
+  `${n.toLocaleString('en')}${NBSP}${noun}${n === 1 ? '' : 's'}`;
 export const seconds = (t: number): string => `${t.toFixed(3)}${NBSP}s`;
 
 /** The SI prefix that people use for numbers as large as `size`. */

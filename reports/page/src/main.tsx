@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 import { render } from 'preact';
 import { reportOf } from './model';
 import { inflateJson } from './packed';

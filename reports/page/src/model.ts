@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /** What the page makes of the results: engines with a colour, gates in their place, figures of an engine. */
 import { errorText, quantity, ratioText } from './format';
 import type {
@@ -105,8 +106,8 @@ function gatesOf(caseOf: Case, run: Run, engines: Map<string, Engine>): Gate[] {
       const limit = s.limit ?? NaN;
       return {
         ...place, quantity: `order of ${claim.quantity}`, unit: '', engine: engines.get(s.engine)!, value: s.slope,
-        error: s.slope === null ? null : ratio * limit, limit, reason: s.reason, passes: s.passes, vacuous: s.vacuous === true,
-        ratio,
+        error: s.slope === null ? null : ratio * limit, limit, reason: s.reason, passes: s.passes,
+        vacuous: s.vacuous === true, ratio,
       };
     });
     return [...judged, ...studies];

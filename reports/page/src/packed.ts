@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /** Reads what reports/data/packed_recording.cpp writes; decoded when a case is looked at. */
 export interface Scale {
   lo: number;
@@ -108,7 +109,12 @@ class ColumnReader {
   }
 }
 
-async function open<T extends { format: string; version: number }>(id: string, format: string): Promise<[T, Uint8Array]> {
+interface Versioned {
+  format: string;
+  version: number;
+}
+
+async function open<T extends Versioned>(id: string, format: string): Promise<[T, Uint8Array]> {
   await parsed;
   const bytes = await inflate(id);
   const length = new DataView(bytes.buffer).getUint32(0, true);
@@ -119,9 +125,7 @@ async function open<T extends { format: string; version: number }>(id: string, f
   return [header, bytes.subarray(4 + length)];
 }
 
-interface MeshHeader {
-  format: string;
-  version: number;
+interface MeshHeader extends Versioned {
   vertices: number;
   triangles: number;
   scales: [Scale, Scale, Scale];

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /** Made by build.mjs. */
 declare module 'page:formulas' {
   /** MathML by case */

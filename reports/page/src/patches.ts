@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 import type { Contact } from './packed';
 
 /** Contacts by hand and phalanx. */

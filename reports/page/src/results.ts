@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /** results.json, version 2, and times.json, as the program writes them. Numbers that are not finite are null. */
 export interface RawVerdict {
   passed: boolean;
@@ -144,10 +145,13 @@ const VERSION = 2;
 /** The results, or an error in words that says what to do. */
 export function checked(data: unknown): Results {
   const results = data as Results;
-  if (results?.format !== FORMAT) throw new Error('these are no results of handhold (make the page with `handhold report`)');
+  if (results?.format !== FORMAT) {
+    throw new Error('these are no results of handhold (make the page with `handhold report`)');
+  }
   if (results.version !== VERSION) {
     const same = 'make the page with the program that wrote the results';
-    throw new Error(`this page reads results of version ${VERSION}, and these are of version ${results.version} (${same})`);
+    const reads = `this page reads results of version ${VERSION}`;
+    throw new Error(`${reads}, and these are of version ${results.version} (${same})`);
   }
   return results;
 }

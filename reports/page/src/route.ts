@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /** What a link opens: #case=G05&run=1&engine=realtime&t=1.284. Run, engine and instant may be left out. */
 export interface Route {
   caseId: string;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 import { ConeGeometry, CylinderGeometry, Group, Mesh, MeshBasicMaterial, Vector3 } from 'three';
 import type { Scene } from 'three';
 import { Mode, type Contact } from '../packed';
@@ -67,7 +68,8 @@ export class Forces {
     if (known) return known;
     const { thick, material } = this;
     const shaft = new Mesh(new CylinderGeometry(thick, thick, 1, 10).translate(0, -0.5, 0), material);
-    const head = new Mesh(new ConeGeometry(3.2 * thick, HEAD * thick, 14).translate(0, (-HEAD / 2) * thick, 0), material);
+    const cone = new ConeGeometry(3.2 * thick, HEAD * thick, 14).translate(0, (-HEAD / 2) * thick, 0);
+    const head = new Mesh(cone, material);
     const group = new Group();
     group.add(shaft, head);
     shaft.renderOrder = head.renderOrder = 9;

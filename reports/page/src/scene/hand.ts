@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 import {
   CapsuleGeometry, GreaterDepth, Group, Mesh, MeshBasicMaterial, MeshStandardMaterial, Quaternion, Vector3,
 } from 'three';
@@ -24,7 +25,9 @@ export interface Phalanx {
 /** A translucent hand: depth first, colour after, so that overlapping capsules read as one skin. */
 function skinOf(colour: string): Material[] {
   return [
-    new MeshBasicMaterial({ color: colour, transparent: true, opacity: 0.2, depthFunc: GreaterDepth, depthWrite: false }),
+    new MeshBasicMaterial({
+      color: colour, transparent: true, opacity: 0.2, depthFunc: GreaterDepth, depthWrite: false,
+    }),
     new MeshBasicMaterial({ colorWrite: false, transparent: true }),
     new MeshStandardMaterial({ color: colour, roughness: 0.85, transparent: true, opacity: 0.62 }),
   ];
@@ -49,14 +52,15 @@ function outward(points: readonly Vector3[], middle: Vector3, inside: Vector3): 
       if (cross.length() > normal.length()) normal = cross;
     }
   }
-  const span = points.map((p) => p.clone().sub(middle)).reduce((a, b) => (b.length() > a.length() ? b : a), new Vector3());
+  const spokes = points.map((p) => p.clone().sub(middle));
+  const span = spokes.reduce((a, b) => (b.length() > a.length() ? b : a), new Vector3());
   if (normal.length() < 1e-3 * span.lengthSq() || normal.length() === 0) {  // one point, or points on a line
     normal = span.length() > 0 ? away.clone().projectOnPlane(span.normalize()) : away.clone();
   }
   return normal.normalize().multiplyScalar(normal.dot(away) < 0 ? -1 : 1);
 }
 
-/** A case that prescribes a patch says nothing of the finger behind it: it is drawn so that its pad touches the patch. */
+/** A case that prescribes a patch says nothing of the finger behind it: it is drawn with its pad on the patch. */
 function behindPatch(meta: HandMeta, phalanx: number, points: readonly Vector3[], X: Offset, inside: Vector3): Offset {
   const world = points.map((p) => p.clone().applyQuaternion(X.rotation).add(X.position));
   const middle = world.reduce((sum, p) => sum.add(p), new Vector3()).divideScalar(world.length);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 import { BufferAttribute, BufferGeometry, CanvasTexture, Points, PointsMaterial, SRGBColorSpace, Vector3 } from 'three';
 import type { Group, Scene } from 'three';
 import { Mode, type Contact } from '../packed';

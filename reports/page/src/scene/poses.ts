@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 import { Quaternion, Vector3 } from 'three';
 import type { Object3D } from 'three';
 import { frameAt, type PoseTrack } from '../packed';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 import { Color, Group, GridHelper, LineBasicMaterial, LineSegments, Mesh, Points, Scene, Vector3 } from 'three';
 import type { Mesh as PackedMesh, Recording } from '../packed';
 import { Forces, largestForce } from './forces';
@@ -30,7 +31,8 @@ export class Replay {
   private readonly forces: Forces;
 
   constructor(
-    private readonly recording: Recording, meshes: (PackedMesh | null)[], private readonly ghost: Recording | null, theme: Theme,
+    private readonly recording: Recording, meshes: (PackedMesh | null)[], private readonly ghost: Recording | null,
+    theme: Theme,
   ) {
     const shapes = meshes.map((mesh) => mesh && shapeOf(mesh));
     this.bodies = shapes.map((shape) => (shape ? bodyOf(shape, theme) : new Group()));
@@ -58,7 +60,8 @@ export class Replay {
       });
     }
     this.hands.forEach((hand, h) => {
-      const present = this.recording.hands[h]!.present.some(([begin, end]) => time >= begin - 1e-6 && time <= end + 1e-6);
+      const spans = this.recording.hands[h]!.present;
+      const present = spans.some(([begin, end]) => time >= begin - 1e-6 && time <= end + 1e-6);
       for (const { group, track } of hand) {
         group.visible = present;
         place(group, track, now);
@@ -69,7 +72,7 @@ export class Replay {
     return this.markers.set(this.recording.contacts, now.k, this.bodies);
   }
 
-  /** Where the first hand's palm is, or else the first body: what a camera follows. */
+  /** What a camera follows: the first body. */
   followed(): Vector3 {
     return this.bodies[0]?.position ?? this.centre;
   }
@@ -92,7 +95,9 @@ export class Replay {
     const last = this.recording.t.length - 1;
     for (const share of phalanges.length ? [0, 0.25, 0.5] : [0, 0.5, 1]) {
       const k = Math.floor(share * last);
-      if (share === 0 || phalanges.length === 0) this.recording.bodyPoses.forEach((track, j) => add(positionAt(track, k), this.sizeOf(j)));
+      if (share === 0 || phalanges.length === 0) {
+        this.recording.bodyPoses.forEach((track, j) => add(positionAt(track, k), this.sizeOf(j)));
+      }
       for (const { track } of phalanges) add(positionAt(track, k), FINGER);
     }
     if (!(lo.x <= hi.x)) return;

@@ -1,4 +1,7 @@
-import { AmbientLight, DirectionalLight, Group, HemisphereLight, PerspectiveCamera, Vector3, WebGLRenderer } from 'three';
+// SPDX-License-Identifier: GPL-3.0-or-later
+import {
+  AmbientLight, DirectionalLight, Group, HemisphereLight, PerspectiveCamera, Vector3, WebGLRenderer,
+} from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import type { ModeName } from './markers';
 import type { Replay } from './replay';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 import { useEffect, useMemo, useState } from 'preact/hooks';
 import licences from 'page:licences';
 import { Clock } from '../clock';
@@ -104,7 +105,8 @@ function useKeys(report: Report, clock: Clock, route: Route, { onGhost, onFollow
 }
 
 const KEYS: readonly (readonly [string, string])[] = [
-  ['space', 'play'], ['← →', 'a frame'], [', .', 'speed'], ['j k', 'case'], ['e', 'engine'], ['g', 'ghost'], ['f', 'follow'],
+  ['space', 'play'], ['← →', 'a frame'], [', .', 'speed'], ['j k', 'case'], ['e', 'engine'], ['g', 'ghost'],
+  ['f', 'follow'],
 ];
 
 function Footer() {

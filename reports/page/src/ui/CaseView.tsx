@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import formulas from 'page:formulas';
 import type { Clock } from '../clock';
@@ -59,7 +60,15 @@ function Choice({ legend, options }: { legend: string; options: Option[] }) {
   );
 }
 
-function CaseHead({ report, c, run, chosen, clock }: { report: Report; c: Case; run: Run; chosen: string; clock: Clock }) {
+interface HeadProps {
+  report: Report;
+  c: Case;
+  run: Run;
+  chosen: string;
+  clock: Clock;
+}
+
+function CaseHead({ report, c, run, chosen, clock }: HeadProps) {
   const { cases, engines } = report;
   const at = cases.indexOf(c);
   const previous = cases[(at + cases.length - 1) % cases.length]!;
@@ -77,7 +86,9 @@ function CaseHead({ report, c, run, chosen, clock }: { report: Report; c: Case; 
       <div class="case-title">
         <h2 id="case-title"><b>{c.id}</b> {c.title}</h2>
         <nav aria-label="Neighbouring cases">
-          <a href={linkTo(previous.id)} title="Previous case (k)" aria-label={`Previous case, ${previous.id}`}>← {previous.id}</a>
+          <a href={linkTo(previous.id)} title="Previous case (k)" aria-label={`Previous case, ${previous.id}`}>
+            ← {previous.id}
+          </a>
           <a href={linkTo(next.id)} title="Next case (j)" aria-label={`Next case, ${next.id}`}>{next.id} →</a>
         </nav>
       </div>
@@ -176,7 +187,7 @@ export function CaseView({ report, route, clock, theme, ...scene }: Props) {
       <div class="case-grid">
         <div class="case-left">
           {played
-            ? <SceneView sceneId={loaded!.id} played={played} meshes={loaded!.meshes} ghost={ghost} theme={theme} {...scene} />
+            ? <SceneView {...{ played, ghost, theme, ...scene }} sceneId={loaded!.id} meshes={loaded!.meshes} />
             : <div class="scene"><div class="scene-picture"><p class="absent" role="status">{absent}</p></div></div>}
           <Transport step={step} />
           <CaseText c={c} run={run} />

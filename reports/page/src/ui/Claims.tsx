@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 import { errorText } from '../format';
 import { asksYesNo, claimValue, type Engine, type Gate, type Report, type Run } from '../model';
 import type { RawClaim, RawJudgement } from '../results';
@@ -20,7 +21,8 @@ interface RowProps {
 function JudgementRow({ claim, engine, judgement: j, gate, chosen }: RowProps) {
   const name = <th scope="row"><Swatch engine={engine} />{engine.name}</th>;
   if (j.state !== 'judged') {
-    return <tr class={chosen ? 'chosen' : ''}>{name}<td colSpan={4} class="why">not asked: <Prose text={j.why ?? ''} /></td></tr>;
+    const why = <td colSpan={4} class="why">not asked: <Prose text={j.why ?? ''} /></td>;
+    return <tr class={chosen ? 'chosen' : ''}>{name}{why}</tr>;
   }
   const error = (value: number | null | undefined): string =>
     asksYesNo(claim) ? '–' : errorText(value ?? null, claim.unit, j.relative === true);
@@ -31,7 +33,8 @@ function JudgementRow({ claim, engine, judgement: j, gate, chosen }: RowProps) {
       <td class="number">{error(j.error)}</td>
       <td class="number limit-text">{gate && !asksYesNo(claim) ? `≤ ${error(gate.limit)}` : ''}</td>
       <td class="mark" title={gate?.reason ?? ''}>
-        <Sign state={stateOf(j, gate)} spoken />{gate ? <LimitBar gate={gate} /> : <span class="short">{j.grade ?? ''}</span>}
+        <Sign state={stateOf(j, gate)} spoken />
+        {gate ? <LimitBar gate={gate} /> : <span class="short">{j.grade ?? ''}</span>}
       </td>
     </tr>
   );
@@ -75,7 +78,9 @@ const HEADS: readonly (readonly [string, string])[] = [
 
 /** Claims of a run by engine: value, error, limit. */
 export function Claims({ report, run, chosen }: { report: Report; run: Run; chosen: string }) {
-  if (run.claims.length === 0) return <p class="absent">This run claims nothing: there is no closed form to compare with.</p>;
+  if (run.claims.length === 0) {
+    return <p class="absent">This run claims nothing: there is no closed form to compare with.</p>;
+  }
   return (
     <div class="scroll" role="region" aria-label="Claims of this run" tabIndex={0}>
       <table class="claims">

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 import { seconds } from '../format';
 import { claimValue, gateError, instantOf, linkToGate, type Gate, type Report } from '../model';
 import { LimitBar, Swatch } from './marks';
 import { Prose } from './Prose';
 
 function Failure({ gate: g }: { gate: Gate }) {
+  const asked = g.quantity === g.claim.quantity;  // else an order, whose truth is in its reason
   return (
     <tr>
       <th scope="row"><b>{g.caseOf.id}</b> <Prose text={g.run.label} /></th>
@@ -12,7 +14,7 @@ function Failure({ gate: g }: { gate: Gate }) {
       <td class="measure"><LimitBar gate={g} width={150} /></td>
       <td class="number" data-label="error">{gateError(g.error, g)}</td>
       <td class="number" data-label="limit">{gateError(g.limit, g)}</td>
-      <td class="number" data-label="truth">{g.quantity === g.claim.quantity ? claimValue(g.claim.truth, g.claim) : '1'}</td>
+      <td class="number" data-label="truth">{asked ? claimValue(g.claim.truth, g.claim) : ''}</td>
       <td class="go"><a href={linkToGate(g)}>see {seconds(instantOf(g))}</a></td>
       <td class="why"><details><summary>why this limit</summary><Prose text={g.reason} /></details></td>
     </tr>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 import { quantity } from '../format';
 import type { Engine, Play } from '../model';
 import type { Played } from './Strips';
@@ -87,7 +88,9 @@ export function FrameTimes({ engines, plays, played, budget }: Props) {
           ))}
           <g class="limit">
             <line x1={x(budget)} x2={x(budget)} y1="0" y2={bottom} />
-            <text x={x(budget)} y={bottom + 16} text-anchor="middle">{`${narrow ? '' : 'budget '}${quantity(budget, 's', 3)}`}</text>
+            <text x={x(budget)} y={bottom + 16} text-anchor="middle">
+              {`${narrow ? '' : 'budget '}${quantity(budget, 's', 3)}`}
+            </text>
           </g>
           {rows.map(({ engine, p50, p99, times }, i) => {
             const base = (i + 1) * row - 4;
@@ -95,9 +98,13 @@ export function FrameTimes({ engines, plays, played, budget }: Props) {
             return (
               <g>
                 <text class="row-name" x="0" y={name}>{engine.name}</text>
-                <text class="row-note" x={narrow ? 124 : 0} y={narrow ? name : base}>{`p50 ${text(p50)}, p99 ${text(p99)}`}</text>
+                <text class="row-note" x={narrow ? 124 : 0} y={narrow ? name : base}>
+                  {`p50 ${text(p50)}, p99 ${text(p99)}`}
+                </text>
                 <Histogram times={times} base={base} colour={engine.colour} layout={layout} />
-                {[p50, p99].map((s, k) => <line class={`quantile q${k}`} x1={x(s)} x2={x(s)} y1={base - layout.most} y2={base} />)}
+                {[p50, p99].map((s, k) => (
+                  <line class={`quantile q${k}`} x1={x(s)} x2={x(s)} y1={base - layout.most} y2={base} />
+                ))}
                 <line class="base" x1={left} x2={left + inner} y1={base} y2={base} />
               </g>
             );

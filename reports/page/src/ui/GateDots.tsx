@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 import { linkToGate, useOfLimit, type Engine, type Gate, type Report } from '../model';
 import { LEAST, placeOfRatio, RATIO_TICKS } from './marks';
 import { useWidth } from './time';
@@ -45,9 +46,15 @@ function dotsOf(gates: readonly Gate[], { below, beyond, x, height }: Axis): Dot
 function Mark({ gate, x, y, colour }: Dot & { colour: string }) {
   const title = `${gate.caseOf.id} ${gate.run.label}: ${gate.quantity}, ${useOfLimit(gate)}`;
   const open = (): void => { location.hash = linkToGate(gate); };
-  return gate.passes
-    ? <circle cx={x} cy={y - 3} r="2.1" style={{ fill: `var(${colour})` }} onClick={open}><title>{title}</title></circle>
-    : <path class="failed" d={`M${x - 2.5} ${y - 5.5}l5 5m0 -5l-5 5`} onClick={open}><title>{title}</title></path>;
+  const cross = `M${x - 2.5} ${y - 5.5}l5 5m0 -5l-5 5`;
+  return (
+    <g onClick={open}>
+      <title>{title}</title>
+      {gate.passes
+        ? <circle cx={x} cy={y - 3} r="2.1" style={{ fill: `var(${colour})` }} />
+        : <path class="failed" d={cross} />}
+    </g>
+  );
 }
 
 interface RowProps {
@@ -101,7 +108,7 @@ export function GateDots({ report }: { report: Report }) {
     <div class="gate-dots" ref={ref} style={{ minHeight: `${bottom + 28}px` }}>
       {width > 0 && (
         <svg width={width} height={bottom + 28} role="img"
-          aria-label="Every gate by the share of its limit that it uses, an engine a row; the tables below say the same">
+          aria-label="Every gate by the share of its limit that it uses; the tables below say the same">
           <rect class="beyond" x={x(1)} y="0" width={Math.max(0, width - x(1))} height={bottom} />
           <Ticks x={x} bottom={bottom} from={narrow ? 0.01 : 0} />
           <text x={name + 2} y={bottom + 18}>{`< ${LEAST * 100} %`}</text>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 import { quantity, ratioText, share } from '../format';
 import {
   BIAS_UNITS, figuresOf, linkToGate, standing, useOfLimit, type Case, type Engine, type EngineFigures, type Report,
@@ -18,7 +19,8 @@ function Sparkline({ of: c }: { of: Case }) {
   const end = curve.t[truth.length - 1] || 1;
   const place = (v: number, k: number): string =>
     `${(1 + (70 * curve.t[k]!) / end).toFixed(1)},${(18 - (16 * (v - lo)) / span).toFixed(1)}`;
-  return <svg class="spark" width="72" height="20" aria-hidden="true"><polyline points={truth.map(place).join(' ')} /></svg>;
+  const points = truth.map(place).join(' ');
+  return <svg class="spark" width="72" height="20" aria-hidden="true"><polyline points={points} /></svg>;
 }
 
 function Cell({ report, of: c, engine }: { report: Report; of: Case; engine: Engine }) {
@@ -52,7 +54,9 @@ interface Row {
 const ROWS: readonly Row[] = [
   { name: 'gates that hold', at: (f) => (f.gates ? `${f.gates - f.failed} of ${f.gates}` : 'graded, not gated') },
   { name: 'median use of the limit', at: (f) => (f.medianUse === null ? '–' : ratioText(f.medianUse)) },
-  ...BIAS_UNITS.map(([unit, name]): Row => ({ name: `bias of ${name}, median ± m.a.d.`, at: (f) => biasText(f, unit) })),
+  ...BIAS_UNITS.map(([unit, name]): Row => ({
+    name: `bias of ${name}, median ± m.a.d.`, at: (f) => biasText(f, unit),
+  })),
   {
     name: 'CPU a frame, p50 · worst p99',
     at: (f) => (f.cost ? `${quantity(f.cost.p50, 's', 2)} · ${quantity(f.cost.p99, 's', 2)}` : 'not recorded'),
@@ -89,7 +93,8 @@ function Intro({ report }: { report: Report }) {
   return (
     <p class="intro">
       A mark is the worst gate of a case, from nothing to its limit (the line) and beyond; ✓ holds, ✗ fails.
-      {graded && ' Engines that nobody derived a limit for are graded: ●●● right to 0.1 %, ●●○ to 1 %, ●○○ to 5 %, ✗ wrong.'}
+      {graded && ' Engines that nobody derived a limit for are graded: '}
+      {graded && '●●● right to 0.1 %, ●●○ to 1 %, ●○○ to 5 %, ✗ wrong.'}
       {' '}Choose a cell to see the case.
     </p>
   );

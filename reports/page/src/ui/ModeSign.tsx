@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 import type { ModeName } from '../scene/markers';
 
 /** The sign of a contact mode as in the 3D view: disc, diamond, ring. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 import { digits, quantity } from '../format';
 import type { Report, Run } from '../model';
 import type { RawClaim, RawStudy } from '../results';
@@ -38,7 +39,8 @@ function OrderPlot({ study, claim, colour }: { study: RawStudy; claim: RawClaim;
   const slope = study.slope === null ? 'not found' : study.slope.toFixed(3);
   return (
     <figure class="order">
-      <svg viewBox={`0 0 ${W} ${H}`} role="img" aria-label={`${claim.quantity}: error against sub-step, slope ${slope}`}>
+      <svg viewBox={`0 0 ${W} ${H}`} role="img"
+        aria-label={`${claim.quantity}: error against sub-step, slope ${slope}`}>
         {rows.map((d) => (
           <g class="tick">
             <line x1={LEFT} x2={W - 10} y1={y(d)} y2={y(d)} />

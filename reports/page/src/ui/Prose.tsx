@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 const LETTERS = /\b(mu_s|mu_d|mu|th0|th1|th|[A-Z]_[a-z]|[a-z]_[a-z])\b/;
 
 /** ASCII mathematics of the catalogue as people print it. */

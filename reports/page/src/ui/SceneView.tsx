@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 import { useCallback, useEffect, useRef, useState } from 'preact/hooks';
 import type { Mesh } from '../packed';
 import { MODES, type ModeName } from '../scene/markers';
@@ -74,7 +75,10 @@ export function SceneView({ sceneId, played, meshes, ghost, theme, ...options }:
       return;
     }
     const made = stage.current;
-    const observer = new ResizeObserver(([entry]) => entry && made.resize(entry.contentRect.width, entry.contentRect.height));
+    const fit = ([entry]: ResizeObserverEntry[]): void => {
+      if (entry) made.resize(entry.contentRect.width, entry.contentRect.height);
+    };
+    const observer = new ResizeObserver(fit);
     observer.observe(box.current!);
     const stop = clock.listen((t) => made.seek(t));
     return () => {
@@ -114,7 +118,11 @@ export function SceneView({ sceneId, played, meshes, ghost, theme, ...options }:
             <span><i class="arrow" aria-hidden="true" />force of a phalanx</span>
           </>
         )}
-        {ghost && <span><i class="ghost" style={{ '--c': `var(${ghost.engine.colour})` }} aria-hidden="true" />{ghost.engine.name}</span>}
+        {ghost && (
+          <span>
+            <i class="ghost" style={{ '--c': `var(${ghost.engine.colour})` }} aria-hidden="true" />{ghost.engine.name}
+          </span>
+        )}
         <span>grid 20 mm</span>
         {recording.hands.some((h) => h.patches.length > 0) && (
           <span class="note">Fingers schematic: the case prescribes patches only.</span>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 import { useMemo } from 'preact/hooks';
 import { capital, prefixFor, quantity } from '../format';
 import type { Engine } from '../model';
@@ -162,8 +163,14 @@ export function ObjectStrips({ played, end, theme }: { played: Played[]; end: nu
 
 const LEDGER = ['kinetic', 'potential', 'elastic', 'dissipated', 'work of the hand'] as const;
 
+interface EnergyProps {
+  played: Played;
+  end: number;
+  theme: string;
+}
+
 /** The energy ledger of the chosen engine; what does not balance is an error of the engine. */
-export function EnergyStrip({ played: { engine, recording }, end, theme }: { played: Played; end: number; theme: string }) {
+export function EnergyStrip({ played: { engine, recording }, end, theme }: EnergyProps) {
   const { energies, t } = recording;
   const book = energies.slice(0, LEDGER.length);
   const scale = prefixFor(Math.max(0, ...book.map((c) => largest(Array.from(c)))), 'J');

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 import { useEffect, useMemo, useRef } from 'preact/hooks';
 import { frameAt, Mode, phalanxName, type Contact, type Recording, type Track } from '../packed';
 import { patchesOf } from '../patches';
@@ -80,7 +81,8 @@ function rowsOf(recordings: readonly Recording[]): { key: string; track: Track }
   const rows = new Map<string, Track>();
   for (const recording of recordings)
     for (const [key, patch] of patchesOf(recording.contacts)) if (touches(patch)) rows.set(key, patch[0]!.track);
-  return [...rows].map(([key, track]) => ({ key, track })).sort((a, b) => a.track[0] - b.track[0] || a.track[1] - b.track[1]);
+  const all = [...rows].map(([key, track]) => ({ key, track }));
+  return all.sort((a, b) => a.track[0] - b.track[0] || a.track[1] - b.track[1]);
 }
 
 interface Props {
@@ -131,7 +133,9 @@ export function Timeline({ played: { engine, recording }, ghost, end, theme }: P
         <canvas ref={canvas} style={{ width: `${width}px`, height: `${height}px` }} role="img"
           aria-label={`Stick and slip of ${rows.length} phalanges against time`} />
         {rows.map(({ track }, i) => (
-          <div class="timeline-label" style={{ top: `${i * (ROW + GAP)}px` }}>{phalanxName(track, recording.hands.length)}</div>
+          <div class="timeline-label" style={{ top: `${i * (ROW + GAP)}px` }}>
+            {phalanxName(track, recording.hands.length)}
+          </div>
         ))}
       </div>
     </>

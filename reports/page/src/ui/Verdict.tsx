@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 import { capital, count, list, ratioText, seconds } from '../format';
 import { worst, type Report } from '../model';
 import { GateDots } from './GateDots';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 import type { Engine, Gate } from '../model';
 import type { GradeName } from '../results';
 import { useOfLimit } from '../model';

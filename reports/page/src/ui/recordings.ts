@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 import { useEffect, useState } from 'preact/hooks';
 import type { Engine, Run } from '../model';
 import { decodeMesh, decodeRecording, type Mesh } from '../packed';
@@ -21,7 +22,9 @@ async function load(id: string, engines: readonly Engine[], run: Run): Promise<L
 }
 
 /** Decodes a run when it is looked at; keeps the one before on screen until then. */
-export function useRecordings(id: string, engines: readonly Engine[], run: Run, near: boolean): [Loaded | null, string] {
+export function useRecordings(
+  id: string, engines: readonly Engine[], run: Run, near: boolean,
+): [Loaded | null, string] {
   const [loaded, setLoaded] = useState<Loaded | null>(null);
   const [failure, setFailure] = useState('');
   useEffect(() => {

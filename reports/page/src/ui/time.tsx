@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 import { createContext, type ComponentChildren } from 'preact';
 import { useContext, useEffect, useRef, useState } from 'preact/hooks';
 import { SPEEDS, type Clock } from '../clock';
@@ -97,7 +98,8 @@ export function Scrubber({ events, end, step }: { events: readonly Event[]; end:
 }
 
 const ICONS = {
-  play: 'M3 1.5v13l11-6.5z', pause: 'M3 2h4v12H3zM9 2h4v12H9z', back: 'M13 2v12L5 8zM2 2h2v12H2z', next: 'M3 2v12l8-6zM12 2h2v12h-2z',
+  play: 'M3 1.5v13l11-6.5z', pause: 'M3 2h4v12H3zM9 2h4v12H9z', back: 'M13 2v12L5 8zM2 2h2v12H2z',
+  next: 'M3 2v12l8-6zM12 2h2v12h-2z',
 };
 
 function Icon({ path }: { path: string }) {
