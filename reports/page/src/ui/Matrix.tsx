@@ -42,7 +42,8 @@ function Cell({ report, of: c, engine }: { report: Report; of: Case; engine: Eng
 
 function biasText(f: EngineFigures, unit: string): string {
   const b = f.bias[unit];
-  return b ? `${share(b.median)} ± ${share(b.scatter)}` : '–';
+  if (!b) return '–';
+  return Math.abs(b.median) + b.scatter < 1e-7 ? '< 0.1 ppm' : `${share(b.median)} ± ${share(b.scatter)}`;
 }
 
 interface Row {
