@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 struct ReportCommand {
   std::vector<std::string> results{};
-  std::string out{"handhold-report"};
+  std::string out{"handhold-page"};
 };
 
 /// Reports are told apart by their folders.
