@@ -9,7 +9,7 @@
 //
 //   frames.csv       t_s; for every body in order its pose and twist in W (NAME.x_m, .y_m, .z_m, .qw, .qx, .qy, .qz,
 //                    .vx_m_per_s, ..., .wx_rad_per_s, ...); kinetic_J, potential_J, elastic_J, dissipated_J,
-//                    hand_work_J
+//                    hand_work_J (read as nan where a file leaves the five out)
 //   contacts.csv     frame (its number in frames.csv, from 0), t_s, hand, phalanx, body, sample (as in SampleId),
 //                    mode (apart, stick, slip), depth_m, p, C and n in W, force on the object f in N
 //   events.csv       t_s, window_s, kind (touch, breakaway, restick, release), hand, phalanx, body, sample; pose

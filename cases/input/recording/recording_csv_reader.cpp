@@ -173,23 +173,33 @@ BodyState body_at(const Lines& lines, const Fields& f, std::size_t i) {
   return body;
 }
 
+Energy energy_at(const Lines& lines, const Fields& f, std::size_t i) {
+  return {lines.number(f[i]), lines.number(f[i + 1]), lines.number(f[i + 2]), lines.number(f[i + 3]),
+          lines.number(f[i + 4])};
+}
+
+/// Of an engine that gives poses only.
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr Energy not_recorded{nan, nan, nan, nan, nan};
+
 void read_frames(const fs::path& path, Recording& recording) {
   Lines lines(path);
   read_header(lines, recording);
   const std::size_t bodies = recording.body_names.size();
-  const std::size_t columns = 1 + body_columns * bodies + energy_columns;
-  if (lines.columns != columns) {
+  const std::size_t without_energy = 1 + body_columns * bodies, columns = lines.columns;
+  const bool has_energy = columns == without_energy + energy_columns;
+  if (!has_energy && columns != without_energy) {
     lines.fail(
-        fmt::format("{} columns for {} bodies: must be {} (t_s, 13 a body, 5 energies; '# body: NAME' names them)",
-                    lines.columns, bodies, columns));
+        fmt::format("{} columns for {} bodies: must be {} or, with energies, {} (t_s, 13 a body, 5 energies or none; "
+                    "'# body: NAME' "
+                    "names them)",
+                    columns, bodies, without_energy, without_energy + energy_columns));
   }
   for (Fields f = lines.row(columns); !f.empty(); f = lines.row(columns)) {
     Frame& frame = recording.frames.emplace_back();
     frame.t = lines.number(f[0]);
     for (std::size_t b = 0; b < bodies; ++b) frame.bodies.push_back(body_at(lines, f, 1 + body_columns * b));
-    const std::size_t e = 1 + body_columns * bodies;
-    frame.energy = {lines.number(f[e]), lines.number(f[e + 1]), lines.number(f[e + 2]), lines.number(f[e + 3]),
-                    lines.number(f[e + 4])};
+    frame.energy = has_energy ? energy_at(lines, f, without_energy) : not_recorded;
   }
 }
 
