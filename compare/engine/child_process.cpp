@@ -12,7 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "cases/error.hpp"
+#include "cases/model/input_error.hpp"
 
 namespace handhold::compare {
 namespace {

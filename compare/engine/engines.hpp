@@ -12,7 +12,7 @@ namespace handhold::compare {
 /// without it.
 [[nodiscard]] std::unique_ptr<Engine> make_engine(const std::string& name);
 
-/// All of them, in the order of the registry (engines.cpp).
+/// All of them, in the order of the registry (engines.cpp); then those from npm that are installed.
 [[nodiscard]] std::vector<std::string> engine_names();
 
 // One function an engine, each in a file of its own.

@@ -6,8 +6,6 @@
 namespace handhold::compare {
 namespace {
 
-using Surface = reference::rigid::Surface;
-
 const Eigen::Vector3d plate(0.1, 0.1, 0.005);  // half extents of a plate that presses [m]
 
 std::string text(const Eigen::Vector3d& v) { return fmt::format("{} {} {}", v.x(), v.y(), v.z()); }
@@ -70,7 +68,7 @@ std::string support_text(const SampledProblem::Support& s) {
   if (!s.motion.p.empty()) out += comment(s.name + " moves in the problem; here it stands where it is at t = 0");
   if (!s.normal_force.empty()) return out + finger_text(s);
   if (s.surface.hollow) return comment(s.name + " is hollow, which no primitive of MuJoCo is: left out");
-  const bool plane = s.surface.kind == Surface::Kind::plane, sphere = s.surface.kind == Surface::Kind::sphere;
+  const bool plane = s.surface.kind == RigidSurface::Kind::plane, sphere = s.surface.kind == RigidSurface::Kind::sphere;
   const std::string size = plane    ? "1 1 0.01"
                            : sphere ? fmt::format("{}", s.surface.radius)
                                     : fmt::format("{} 1", s.surface.radius);

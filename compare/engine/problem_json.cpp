@@ -6,13 +6,13 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "cases/error.hpp"
+#include "cases/model/input_error.hpp"
 
 namespace handhold::compare {
 namespace {
 
 using json = nlohmann::ordered_json;
-using Kind = reference::rigid::Surface::Kind;
+using Kind = RigidSurface::Kind;
 using Vectors = std::vector<Eigen::Vector3d>;
 
 constexpr const char* format = "handhold-problem 1";
@@ -70,7 +70,7 @@ json to_json(const SampledProblem::Body& b) {
   return out;
 }
 
-json to_json(const reference::rigid::Surface& s) {
+json to_json(const RigidSurface& s) {
   const json p = to_json(s.point);
   if (s.kind == Kind::plane) return {{"type", "plane"}, {"p", p}, {"normal", to_json(s.direction)}};
   if (s.kind == Kind::sphere) return {{"type", "sphere"}, {"p", p}, {"radius", number(s.radius)}, {"hollow", s.hollow}};
@@ -181,11 +181,10 @@ class Reader {
     return s;
   }
 
-  static reference::rigid::Surface surface(const json& j) {
+  static RigidSurface surface(const json& j) {
     const std::string type = j.at("type");
     if (type == "plane") return {Kind::plane, vector_at(j.at("p")), vector_at(j.at("normal")), 0, false};
-    reference::rigid::Surface s{Kind::sphere, vector_at(j.at("p")), Eigen::Vector3d::UnitZ(), j.at("radius"),
-                                j.at("hollow")};
+    RigidSurface s{Kind::sphere, vector_at(j.at("p")), Eigen::Vector3d::UnitZ(), j.at("radius"), j.at("hollow")};
     if (type == "sphere") return s;
     if (type != "cylinder") throw InputError("surface of type '" + type + "'");
     s.kind = Kind::cylinder;

@@ -13,8 +13,8 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
-#include "cases/error.hpp"
-#include "cases/recording_csv.hpp"
+#include "cases/input/recording/recording_csv.hpp"
+#include "cases/model/input_error.hpp"
 #include "compare/engine/child_process.hpp"
 #include "compare/engine/problem_json.hpp"
 
@@ -68,12 +68,7 @@ void replace_all(std::string& text, const std::string& what, const std::string& 
     text.replace(at, what.size(), with);
 }
 
-std::string command_line(const std::string& given, const fs::path& problem, const fs::path& out) {
-  for (const char* part : {"{problem}", "{out}"})
-    if (given.find(part) == std::string::npos)
-      throw InputError(
-          fmt::format("command '{}': must contain {} (as in python3 mine.py {{problem}} {{out}})", given, part));
-  std::string command = given;
+std::string command_line(std::string command, const fs::path& problem, const fs::path& out) {
   replace_all(command, "{problem}", quoted(problem));
   replace_all(command, "{out}", quoted(out));
   return command;
@@ -134,6 +129,15 @@ std::string frame_fault(const Frame& frame, std::size_t number, double expected_
 
 }  // namespace
 
+void validate(const ProcessOptions& options) {
+  for (const char* part : {"{problem}", "{out}"})
+    if (options.command.find(part) == std::string::npos)
+      throw InputError(fmt::format("command '{}': must contain {} (as in python3 mine.py {{problem}} {{out}})",
+                                   options.command, part));
+  if (!(options.time_limit > 0))
+    throw InputError(fmt::format("time_limit={} s: must be > 0 (60 is usual)", options.time_limit));
+}
+
 std::string answer_fault(const Recording& answer, const SampledProblem& problem) {
   if (!answer.scene.empty() && answer.scene != problem.name)
     return fmt::format("answers the problem '{}', not '{}'", answer.scene, problem.name);
@@ -153,8 +157,7 @@ std::string answer_fault(const Recording& answer, const SampledProblem& problem)
 }
 
 ProcessAnswer play_in_process(const SampledProblem& problem, const ProcessOptions& options) {
-  if (!(options.time_limit > 0))
-    throw InputError(fmt::format("time_limit={} s: must be > 0 (60 is usual)", options.time_limit));
+  validate(options);
   const Workplace place(options.folder);
   const fs::path file = place.path() / "problem.json", out = place.path() / "out", log = place.path() / "output.txt";
   const std::string command = command_line(options.command, file, out);

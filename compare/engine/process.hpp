@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "cases/recording.hpp"
+#include "cases/model/recording.hpp"
 #include "compare/engine/sampled_problem.hpp"
 
 // Anybody's engine as a process: it reads problem.json, steps, and writes frames.csv (docs/engines.md).

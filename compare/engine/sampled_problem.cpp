@@ -6,12 +6,11 @@
 
 #include <fmt/format.h>
 
-#include "cases/error.hpp"
+#include "cases/model/input_error.hpp"
 
 namespace handhold::compare {
 namespace {
 
-namespace rigid = reference::rigid;
 using Vectors = std::vector<Eigen::Vector3d>;
 
 constexpr double most_steps = 1e7;
@@ -40,13 +39,13 @@ Primitive pinched_cube(const Eigen::Vector3d& foot_B, const Eigen::Vector3d& n_B
   return {Primitive::Kind::box, Eigen::Vector3d::Constant(half), 0, {R, foot_B + half * n_B}};
 }
 
-Eigen::Vector3d normal_B(const RigidProblem& problem, const rigid::Support& s) {
+Eigen::Vector3d normal_B(const RigidProblem& problem, const RigidSupport& s) {
   return problem.X_WB.R.conjugate() * s.surface.direction.normalized();
 }
 
 /// Planes alone, feet alone.
 Primitive shape_on_planes(const RigidProblem& problem) {
-  const std::vector<rigid::Support>& supports = problem.supports;
+  const std::vector<RigidSupport>& supports = problem.supports;
   const Eigen::Vector3d foot = supports[0].point_B, n = normal_B(problem, supports[0]);
   if (supports.size() == 1) return standing_cube(foot, n);
   const Eigen::Vector3d across = supports.back().point_B - foot;
@@ -54,9 +53,7 @@ Primitive shape_on_planes(const RigidProblem& problem) {
       (across - across.dot(n) * n).norm() < same)
     return pinched_cube(foot, n, across.dot(n));
   const double radius = foot.norm();
-  const auto on_ball = [&](const rigid::Support& s) {
-    return (s.point_B + radius * normal_B(problem, s)).norm() < same;
-  };
+  const auto on_ball = [&](const RigidSupport& s) { return (s.point_B + radius * normal_B(problem, s)).norm() < same; };
   if (!std::all_of(supports.begin(), supports.end(), on_ball))
     reject(fmt::format("a body on {} planes", supports.size()), "its feet fit neither a cube nor a ball",
            "give its shape");
@@ -66,28 +63,28 @@ Primitive shape_on_planes(const RigidProblem& problem) {
 /// The plainest volume that touches where the problem's points and balls do. Where a body does not turn, a shape's
 /// place only decides where its force acts, which nobody feels.
 std::vector<Primitive> plain_shapes(const RigidProblem& problem) {
-  const std::vector<rigid::Support>& supports = problem.supports;
+  const std::vector<RigidSupport>& supports = problem.supports;
   if (supports.empty()) return {ball(bead_radius, Eigen::Vector3d::Zero())};
-  const auto is_ball = [](const rigid::Support& s) { return s.radius > 0; };
+  const auto is_ball = [](const RigidSupport& s) { return s.radius > 0; };
   if (std::all_of(supports.begin(), supports.end(), is_ball)) {
     std::vector<Primitive> balls;
-    for (const rigid::Support& s : supports)
+    for (const RigidSupport& s : supports)
       if (balls.empty() || balls.back().radius != s.radius || balls.back().X_BS.p != s.point_B)
         balls.push_back(ball(s.radius, s.point_B));
     return balls;
   }
   if (problem.mobility != Mobility::translation || std::any_of(supports.begin(), supports.end(), is_ball))
     reject("a body that turns on feet", "points alone do not say what it looks like", "give its shape");
-  const auto is_plane = [](const rigid::Support& s) { return s.surface.kind == rigid::Surface::Kind::plane; };
+  const auto is_plane = [](const RigidSupport& s) { return s.surface.kind == RigidSurface::Kind::plane; };
   if (std::all_of(supports.begin(), supports.end(), is_plane)) return {shape_on_planes(problem)};
   return {ball(bead_radius, supports[0].point_B)};
 }
 
-SampledMotion sampled(const rigid::Path& path, double step, int steps) {
+SampledMotion sampled(const RigidPath& path, double step, int steps) {
   SampledMotion motion;
   if (!path) return motion;
   for (int k = 0; k <= steps; ++k) {
-    const rigid::PathPoint point = path(k * step);
+    const PathPoint point = path(k * step);
     motion.p.push_back(point.p);
     motion.v.push_back(point.v);
   }
@@ -113,7 +110,7 @@ void sample_load(const RigidProblem& problem, double step, int steps, SampledPro
   if (std::all_of(body.force.begin(), body.force.end(), is_zero)) body.force.clear();
 }
 
-SampledProblem::Support sampled_support(const rigid::Support& s, int number, double step, int steps) {
+SampledProblem::Support sampled_support(const RigidSupport& s, int number, double step, int steps) {
   SampledProblem::Support out{fmt::format("support {}", number), "body", s.surface, s.friction, s.point_B, s.radius, {},
                               sampled(s.motion, step, steps)};
   out.surface.direction.normalize();
@@ -133,7 +130,8 @@ SampledProblem sample(const RigidProblem& problem, const std::string& name, doub
   SampledProblem out;
   out.name = name;
   out.step = step;
-  out.steps = int(std::ceil(problem.duration / step - 1e-9));  // a duration of whole steps is not to round to one more
+  const double frames = problem.duration / (step * frame_every);
+  out.steps = frame_every * int(std::ceil(frames - 1e-9));  // a whole number of frames is not to round to one more
   out.frame_every = frame_every;
   out.gravity = problem.gravity;
   out.bodies = {{"body",
@@ -148,7 +146,7 @@ SampledProblem sample(const RigidProblem& problem, const std::string& name, doub
   sample_load(problem, step, out.steps, out.bodies[0]);
   for (std::size_t i = 0; i < problem.supports.size(); ++i)
     out.supports.push_back(sampled_support(problem.supports[i], int(i), step, out.steps));
-  for (const rigid::Spring& s : problem.springs)
+  for (const RigidSpring& s : problem.springs)
     out.springs.push_back({"body", s.stiffness, s.point_B, s.anchor_W, sampled(s.motion, step, out.steps)});
   return out;
 }

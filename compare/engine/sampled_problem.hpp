@@ -7,13 +7,9 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "cases/pose.hpp"
-#include "cases/scene/friction.hpp"
-#include "reference/rigid/problem.hpp"
+#include "cases/model/rigid_problem.hpp"
 
 namespace handhold::compare {
-
-using RigidProblem = reference::rigid::Problem;
 
 /// A volume fixed to a body, for engines that do not touch with points.
 struct Primitive {
@@ -49,7 +45,7 @@ struct SampledProblem {
   struct Support {
     std::string name{};
     std::string body{};  ///< that it touches
-    reference::rigid::Surface surface{};
+    RigidSurface surface{};
     Friction friction{};
     Eigen::Vector3d point_B{Eigen::Vector3d::Zero()};  ///< foot, or the centre of a ball [m]
     double radius{};                                   ///< of the ball [m]; 0: a foot
@@ -73,9 +69,9 @@ struct SampledProblem {
   std::vector<Spring> springs{};
 };
 
-/// Samples the problem at t = k `step` until its duration is reached or just passed. `shapes`: what the body looks
-/// like; empty: the plainest volume that touches where the problem does (see the source). The body is called "body",
-/// supports "support 0" and so on.
+/// Samples the problem at t = k `step` until its duration is reached or just passed by a frame of the answer. `shapes`:
+/// what the body looks like; empty: the plainest volume that touches where the problem does (see the source). The body
+/// is called "body", supports "support 0" and so on.
 ///
 /// Throws InputError for step <= 0, more than ten million steps, a load that depends on the body's motion (a file has
 /// samples of time only), and where no volume can be found: give one.

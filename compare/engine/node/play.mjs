@@ -3,16 +3,16 @@
 //
 //   node play.mjs ENGINE PROBLEM OUT [KEY=VALUE]...      ENGINE: rapier, jolt, havok, physx, mujoco
 //
-// KEY=VALUE changes one of the engine's settings, which are at the head of its adapter. Packages are looked for in the
-// folder HANDHOLD_ENGINES, or build/engines. Exit code: 0 played; 4 not asked, with {"not_asked": "why"} as the last line.
+// KEY=VALUE changes one of the engine's settings, which are at the head of its adapter. ./dev engines puts this folder and
+// the packages into build/engines. Exit code: 0 played; 4 not asked, with {"not_asked": "why"} as the last line.
 //
 // The engine gets solids, each with a pose of its own: the bodies, plates in place of planes, balls and capsules in place
 // of curved surfaces. A plate that presses is a body of the pressed body's mass on a slider along its normal, without
 // weight, pushed by N(t); the slider's carrier moves as the problem says. Forces are those of the step's beginning.
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
-import { join } from 'node:path';
-import { fileURLToPath, pathToFileURL } from 'node:url';
+import { dirname, join } from 'node:path';
+import { pathToFileURL } from 'node:url';
 
 const plate = [1, 1, 0.05]; // half extents of a plane's plate: farther than anything slides, thicker than it sinks [m]
 
@@ -143,11 +143,14 @@ function write(out, problem, engineName, version, settings, frames) {
   writeFileSync(join(out, 'frames.csv'), [...header, names.join(','), ...rows].join('\n') + '\n');
 }
 
-/** The module of a package, and the folder it lies in. */
-const installed = process.env.HANDHOLD_ENGINES ?? fileURLToPath(new URL('../../../build/engines/', import.meta.url));
-async function load_package(name) {
-  const found = createRequire(join(installed, 'package.json')).resolve(name);
-  return { module: await import(pathToFileURL(found)), folder: found.slice(0, found.lastIndexOf('/')) };
+/** The module of a package, the folder it lies in, and its version. */
+async function installed(name) {
+  const found = createRequire(import.meta.url).resolve(name);
+  const folder = dirname(found);
+  let root = folder;
+  while (!existsSync(join(root, 'package.json'))) root = dirname(root);
+  const { version } = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8'));
+  return { module: await import(pathToFileURL(found)), folder, version };
 }
 
 function withChanges(settings, changes) {
@@ -166,9 +169,9 @@ async function main([engineName, problemFile, out, ...changes]) {
   const adapter = await import(new URL(`${engineName}.mjs`, import.meta.url));
   const settings = withChanges({ ...adapter.settings }, changes);
   const scene = sceneOf(problem, adapter.about, settings);
-  const version = JSON.parse(readFileSync(join(installed, 'node_modules', adapter.about.package, 'package.json'))).version;
-  const engine = await adapter.start(await load_package(adapter.about.package), scene);
-  write(out, problem, engineName, version, settings, play(engine, problem, scene));
+  const found = await installed(adapter.about.package);
+  const engine = await adapter.start(found, scene);
+  write(out, problem, engineName, found.version, settings, play(engine, problem, scene));
 }
 
 main(process.argv.slice(2)).then(
