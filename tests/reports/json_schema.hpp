@@ -16,7 +16,7 @@ inline bool has_type(const nlohmann::json& value, const std::string& type) {
   return type == "null" && value.is_null();
 }
 
-/// The part of JSON Schema that results.schema.json uses. Returns where and what is wrong; empty if nothing is.
+/// The part of JSON Schema that our schemas use. Returns where and what is wrong; empty if nothing is.
 inline std::string schema_fault(const nlohmann::json& value, const nlohmann::json& schema, const nlohmann::json& root,
                                 const std::string& at = "") {
   if (schema.contains("$ref")) {
@@ -27,6 +27,10 @@ inline std::string schema_fault(const nlohmann::json& value, const nlohmann::jso
   if (schema.contains("enum") && std::find(schema["enum"].begin(), schema["enum"].end(), value) == schema["enum"].end())
     return at + ": not in the enum";
   if (schema.contains("minimum") && value < schema["minimum"]) return at + ": below the minimum";
+  if (schema.contains("exclusiveMinimum") && !(value > schema["exclusiveMinimum"]))
+    return at + ": not above the exclusive minimum";
+  if (schema.contains("minItems") && value.size() < schema["minItems"]) return at + ": has too few items";
+  if (schema.contains("maxItems") && value.size() > schema["maxItems"]) return at + ": has too many items";
   if (schema.contains("type")) {
     const nlohmann::json types = schema["type"].is_array() ? schema["type"] : nlohmann::json::array({schema["type"]});
     bool good = false;

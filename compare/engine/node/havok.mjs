@@ -7,7 +7,7 @@ import { join } from 'node:path';
 import { scaled } from './play.mjs';
 
 export const about = { package: '@babylonjs/havok', twoCoefficients: true };
-export const settings = { sleep: false, scale: 50, idealStepTime: null };
+export const settings = { sleep: false, scale: 50, idealStep: true };
 
 const quat = ([w, x, y, z]) => [x, y, z, w];
 
@@ -21,7 +21,7 @@ export async function start({ module, folder }, { gravity, step, solids, setting
   const world = ok(H.HP_World_Create());
   ok(H.HP_World_SetGravity(world, place(gravity)));
   ok(H.HP_World_SetSpeedLimit(world, 1e6, 1e6));
-  if (settings.idealStepTime) ok(H.HP_World_SetIdealStepTime(world, settings.idealStepTime));
+  if (settings.idealStep) ok(H.HP_World_SetIdealStepTime(world, step)); // meant for steps shorter than 1/60 s
 
   const shapes = {
     box: ({ half_extents: h }) => H.HP_Shape_CreateBox(zero, noTurn, place(scaled(h, 2))),
