@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "compare/engine/engines.hpp"
+#include "compare/engine/process_engine.hpp"
 #include "compare/judge/suite.hpp"
 #include "compare/judge/verdict.hpp"
 #include "reports/cli/commands.hpp"
@@ -22,7 +23,7 @@ namespace {
 
 struct SuiteCommand {
   compare::SuiteOptions suite{};
-  std::vector<std::string> engines{}, levels{};
+  std::vector<std::string> engines{}, processes{}, levels{};
   bool no_order{}, no_variants{};
   std::string out{"handhold-report"};
 };
@@ -36,6 +37,7 @@ std::vector<std::unique_ptr<compare::Engine>> engines_of(const SuiteCommand& com
     const bool gated = engine->info(command.suite.engine).errs.kind != compare::ErrorModel::Kind::foreign;
     if (gated || !command.engines.empty()) out.push_back(std::move(engine));
   }
+  for (const std::string& process : command.processes) out.push_back(compare::process_engine_from(process));
   return out;
 }
 
@@ -87,6 +89,8 @@ void add_suite(CLI::App& app, Invocation& invocation) {
   command
       ->add_option("--engines", options->engines, "engines to judge, or all (default: those whose limits are derived)")
       ->delimiter(',');
+  command->add_option("--engine", options->processes,
+                      "a process as one more engine: NAME=COMMAND, e.g. \"mine=python3 mine.py {problem} {out}\"");
   command->add_option("--out", options->out, "folder of the report; replaced as a whole")->capture_default_str();
   command->add_option("--threads", options->suite.threads, "runs side by side; 0: one a core")
       ->check(number_in(0, 1024))

@@ -23,6 +23,8 @@ void add_report(CLI::App& app, Invocation& invocation);
 void add_run(CLI::App& app, Invocation& invocation);
 void add_voxelize(CLI::App& app, Invocation& invocation);
 void add_converge(CLI::App& app, Invocation& invocation);
+void add_engines(CLI::App& app, Invocation& invocation);
+void add_export(CLI::App& app, Invocation& invocation);
 void add_trace(CLI::App& app, Invocation& invocation);
 
 }  // namespace handhold::reports

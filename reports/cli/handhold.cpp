@@ -59,6 +59,8 @@ int run(int count, char** arguments) {
   add_report(app, invocation);
   add_converge(app, invocation);
   add_voxelize(app, invocation);
+  add_engines(app, invocation);
+  add_export(app, invocation);
   add_trace(app, invocation);
   try {
     app.parse(count, arguments);
