@@ -61,6 +61,7 @@ int run(int count, char** arguments) {
   add_voxelize(app, invocation);
   add_engines(app, invocation);
   add_export(app, invocation);
+  add_judge(app, invocation);
   add_trace(app, invocation);
   try {
     app.parse(count, arguments);

@@ -68,7 +68,8 @@ TEST_P(Help, ExitsWithZeroAndShowsExamples) {
 
 INSTANTIATE_TEST_SUITE_P(Every, Help,
                          testing::Values("--help", "list --help", "suite --help", "run --help", "voxelize --help",
-                                         "trace --help", "trace info --help", "trace convert --help"));
+                                         "trace --help", "trace info --help", "trace convert --help", "engines --help",
+                                         "export --help"));
 
 class BadInput : public CommandLine, public testing::WithParamInterface<const char*> {};
 
@@ -105,7 +106,9 @@ INSTANTIATE_TEST_SUITE_P(
                     "voxelize shape:box,x=1e30", "voxelize shape:box --out no/such/x.hhvox",
                     "voxelize shape:box --sample-spacing 5", "voxelize shape:box --sample-spacing 1 --out x.hhvox",  //
                     "trace", "trace info", "trace info missing", "trace info empty", "trace info noise.json",
-                    "trace info .", "trace convert empty out.csv", "trace convert missing"));
+                    "trace info .", "trace convert empty out.csv", "trace convert missing",  //
+                    "export", "export C99", "export C01", "judge", "judge missing", "judge .", "engines check",
+                    "engines check true", "suite --engine mine", "suite --engine mine=true"));
 
 TEST_F(CommandLine, ListsWhatThereIs) {
   const Result cases = run("list");
