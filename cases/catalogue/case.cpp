@@ -1,5 +1,6 @@
 #include "cases/catalogue/case.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -62,7 +63,7 @@ Limit implicit_ring_limit(double amplitude, double frequency, double t) {
 
 namespace {
 
-std::vector<Case> plain_cases() {
+std::vector<Case> compliant_cases() {
   return {projectile_case(),
           incline_case(),
           incline_flick_case(),
@@ -107,15 +108,28 @@ std::vector<Case> plain_cases() {
           support_case()};
 }
 
+std::vector<Case> rigid_cases() {
+  std::vector<Case> cases;
+  for (const auto& family : {rigid_flights(), rigid_slides(), rigid_oscillators(), rigid_palms(), rigid_curves(),
+                             rigid_pinches(), rigid_balls()})
+    cases.insert(cases.end(), family.begin(), family.end());
+  for (Case& c : cases) {
+    c.level = Level::rigid;
+    c.truth_level = "L1";
+  }
+  std::ranges::sort(cases, {}, &Case::id);
+  return cases;
+}
+
 }  // namespace
 
 /// The printed law has no other look: it sees voxels and rays, which a turned scene has elsewhere.
 const std::vector<Case>& all_cases() {
   static const std::vector<Case> cases = [] {
-    std::vector<Case> all = plain_cases();
+    std::vector<Case> all = compliant_cases();
+    for (Case& c : rigid_cases()) all.push_back(std::move(c));
+    for (Case& c : all) c = with_variants(std::move(c));
     for (Case& c : printed_cases()) all.push_back(std::move(c));
-    for (Case& c : all)
-      if (c.level != Level::printed) c = with_variants(std::move(c));
     return all;
   }();
   return cases;

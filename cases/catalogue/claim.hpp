@@ -21,10 +21,11 @@ enum class Pedigree { exact, discrete_exact, converged, published, regression };
 /// support, both counted from t = 0; against the world if there is none.
 struct Measure {
   enum class Kind {
-    event_time,            ///< time of the `occurrence`-th first event of kind `event` of any sample [s]
+    event_time,            ///< time of the `occurrence`-th first event of kind `event` of the chosen samples [s]
     displacement,          ///< relative displacement along `axis` at the instant [m]
     speed,                 ///< relative speed along `axis` at the instant [m/s]
     time_at_displacement,  ///< first time at which the relative displacement along `axis` reaches `level` [s]
+    spin,                  ///< angular velocity about `axis` at the instant [rad/s]
     rotation,              ///< angle turned about `axis` since t = 0, unwrapped, at the instant [rad]
     held,                  ///< 1 if the largest |relative displacement along `axis`| stays below `level` [m], else 0
     no_event,              ///< 1 if no event of kind `event` happens, else 0
@@ -38,6 +39,8 @@ struct Measure {
     work,                  ///< that the chosen samples gave their phalanges from `from` to `at`, on an object at rest;
                            ///< trapezoidal rule over the frames [J]
     growth,                ///< of an oscillation per frame, between the frames `from` and `at`; see frames_measure.hpp
+    energy_residual,       ///< the greatest change of the energy ledger's sum over all frames [J]
+    mode,                  ///< of the chosen sample on the frame `at`: 0 apart, 1 sticks, 2 slips
   };
   Kind kind{Kind::displacement};
   EventKind event{EventKind::touch};

@@ -49,6 +49,16 @@ namespace handhold::catalogue {
 [[nodiscard]] Case oblique_blow_case();         // H09
 [[nodiscard]] Case support_case();              // H10
 
+// One function a family of rigid cases (L1); their problems: builders/rigid.hpp.
+
+[[nodiscard]] std::vector<Case> rigid_flights();      // A01 to A03, B02
+[[nodiscard]] std::vector<Case> rigid_slides();       // C01 to C04, C20
+[[nodiscard]] std::vector<Case> rigid_oscillators();  // C05 to C09
+[[nodiscard]] std::vector<Case> rigid_palms();        // C11, C12, D13
+[[nodiscard]] std::vector<Case> rigid_curves();       // C14 to C16
+[[nodiscard]] std::vector<Case> rigid_pinches();      // D01 to D04, D06
+[[nodiscard]] std::vector<Case> rigid_balls();        // E01 to E07
+
 // Limits shared by the cases.
 
 /// A method that controls its error does so a step, for its largest state, and locates events to ten times its accuracy

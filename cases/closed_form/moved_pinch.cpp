@@ -72,4 +72,11 @@ Eigen::Vector2d slip_direction(const SideShake& s) {
   return Eigen::Vector2d(-acceleration_at_onset(s), -s.gravity) / limit(s);
 }
 
+PlaneSlide slide(const SideShake& s, double mu_dynamic, double t) {
+  const auto drive = [&](double time, const Eigen::Vector2d&, const Eigen::Vector2d&) -> Eigen::Vector2d {
+    return {s.amplitude * s.frequency * s.frequency * std::sin(s.frequency * time), -s.gravity};
+  };
+  return slide_from_rest(drive, 2 * mu_dynamic * s.normal_force / s.mass, slip_onset(s), slip_direction(s), t);
+}
+
 }  // namespace handhold::closed_form

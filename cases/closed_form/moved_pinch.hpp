@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include "cases/closed_form/plane_slide.hpp"
 #include "cases/model/friction.hpp"
 
 namespace handhold::closed_form {
@@ -68,5 +69,9 @@ struct SideShake {
 
 /// Unit direction (x, z) in which the object begins to slide in the hand: against the friction it had, (a, g).
 [[nodiscard]] Eigen::Vector2d slip_direction(const SideShake& s);
+
+/// The object's slide in the hand with μ_d at t >= slip_onset, coordinates (x, z): its friction turns with its
+/// direction. Integrated (plane_slide.hpp): pedigree converged.
+[[nodiscard]] PlaneSlide slide(const SideShake& s, double mu_dynamic, double t);
 
 }  // namespace handhold::closed_form

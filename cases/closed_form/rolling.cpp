@@ -72,4 +72,12 @@ double time_at(const RollDown& b, double distance) { return std::sqrt(2 * distan
 
 double spin_at(const RollDown& b, double distance) { return angular_acceleration(b) * time_at(b, distance); }
 
+double swing_frequency(const GutterBall& b) { return std::sqrt(b.gravity / ((1 + b.beta) * (b.gutter - b.radius))); }
+
+double needed_friction(const GutterBall& b) { return b.beta / (1 + b.beta) * std::tan(b.start); }
+
+double greatest_speed(const GutterBall& b) {
+  return std::sqrt(2 * b.gravity * (b.gutter - b.radius) * (1 - std::cos(b.start)) / (1 + b.beta));
+}
+
 }  // namespace handhold::closed_form

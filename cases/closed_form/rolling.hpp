@@ -93,4 +93,22 @@ struct RollDown {
 [[nodiscard]] double time_at(const RollDown& b, double distance);
 [[nodiscard]] double spin_at(const RollDown& b, double distance);
 
+/// E07. A ball rolls to and fro in a gutter, let go at rest at an angle from the bottom. L1: a pendulum (pendulum.hpp),
+/// θ'' = −Ω² sin θ with Ω² = g/((1 + β)(R − r)), as long as it does not slip.
+struct GutterBall {
+  double gutter{0.1};    ///< R [m]
+  double radius{0.02};   ///< r [m]
+  double beta{0.4};      ///< I / (m r²)
+  double start{1};       ///< θ0 [rad]
+  double gravity{9.81};  ///< [m/s²]
+};
+
+[[nodiscard]] double swing_frequency(const GutterBall& b);  ///< Ω [rad/s]
+
+/// It rolls all the way iff μ is not below β/(1 + β) tan θ0.
+[[nodiscard]] double needed_friction(const GutterBall& b);
+
+/// Of the centre at the bottom: √(2 g (R − r)(1 − cos θ0)/(1 + β)) [m/s].
+[[nodiscard]] double greatest_speed(const GutterBall& b);
+
 }  // namespace handhold::closed_form

@@ -1,5 +1,7 @@
 #include "cases/model/recording.hpp"
 
+#include <cmath>
+
 namespace handhold {
 
 std::string_view to_string(Mode mode) {
@@ -40,6 +42,15 @@ std::string_view to_string(Outcome outcome) {
       return "stalled";
   }
   return "unknown";
+}
+
+double energy_residual(const Recording& recording) {
+  double worst = 0;
+  for (const Frame& frame : recording.frames) {
+    const double change = std::abs(energy_sum(frame.energy) - energy_sum(recording.frames.front().energy));
+    if (!(change <= worst)) worst = change;  // NaN stays
+  }
+  return worst;
 }
 
 }  // namespace handhold

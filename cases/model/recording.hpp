@@ -60,13 +60,18 @@ struct ContactState {
   Eigen::Vector3d f_W{Eigen::Vector3d::Zero()};  ///< on the object, on a line through p [N]
 };
 
-/// Energy book, [J]. A lack of balance is an error of ours: kinetic + potential + elastic + dissipated − hand_work −
-/// start.
+/// Energy ledger, [J].
 struct Energy {
   double kinetic{}, potential{}, elastic{};
   double dissipated{};  ///< by friction and damping since t = 0
   double hand_work{};   ///< done by hands, applied loads, and a support that carries the weight, since t = 0
 };
+
+/// kinetic + potential + elastic + dissipated − hand_work [J]: keeps its value at the start; a change is an engine's
+/// error.
+[[nodiscard]] constexpr double energy_sum(const Energy& e) {
+  return e.kinetic + e.potential + e.elastic + e.dissipated - e.hand_work;
+}
 
 struct Frame {
   double t{};  ///< [s]
@@ -76,6 +81,12 @@ struct Frame {
 };
 
 /// A change of mode, located to within `window` (the true instant lies in [t − window, t]).
+///
+/// touch: apart before, closed after; release: the contrary. breakaway: it slips after; restick: it slipped before and
+/// sticks after. A contact that lands and slides on has touch and breakaway at one instant; a slip that stops and goes
+/// on the other way at once has restick and breakaway at one instant (the real-time path reports the first alone).
+/// What is given at t = 0 is no event, with one exception: a rigid support (L1) that slips from the beginning breaks
+/// away at t = 0.
 struct Event {
   double t{};       ///< [s]
   double window{};  ///< [s]; one sub-step in the real-time path
@@ -101,5 +112,8 @@ struct Recording {
   std::vector<Event> events{};       ///< ascending in time
   std::vector<double> frame_time{};  ///< CPU time of each advance between frames [s]; empty when not measured
 };
+
+/// The greatest change of the frames' energy_sum since the first frame [J]; NaN if one of them is.
+[[nodiscard]] double energy_residual(const Recording& recording);
 
 }  // namespace handhold

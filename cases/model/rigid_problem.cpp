@@ -6,6 +6,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "cases/model/input_error.hpp"
+#include "cases/model/rotation.hpp"
 #include "cases/model/text.hpp"
 
 namespace handhold {
@@ -57,6 +58,22 @@ void check_path(const RigidPath& path, double duration, const std::string& name)
   }
 }
 
+/// w from R and alpha from w, in the same way.
+void check_turn(const RigidTurn& turn, double duration, const std::string& name) {
+  for (const double t : {0.1 * duration, 0.45 * duration, 0.9 * duration}) {
+    const double h = 1e-6 * duration;
+    const TurnPoint before = at(turn, t - h), here = at(turn, t), after = at(turn, t + h);
+    if (!here.w.allFinite() || !here.alpha.allFinite() || !(std::abs(here.R.norm() - 1) < 1e-6))
+      reject(sentence(name, " at t=", t, " s"), "its turn must be finite and R a unit quaternion", "normalise it");
+    const Eigen::Vector3d w = rotation_vector(after.R * before.R.conjugate()) / (2 * h);
+    const double w_error = (w - here.w).norm() / (1 + here.w.norm());
+    const double a_error = ((after.w - before.w) / (2 * h) - here.alpha).norm() / (1 + here.alpha.norm());
+    if (!(w_error <= path_tolerance) || !(a_error <= path_tolerance))
+      reject(sentence(name, " at t=", t, " s"), "w and alpha must be the rates of its turn's R, in W",
+             "check the turn function");
+  }
+}
+
 void check_surface(const RigidSupport& s, const std::string& name) {
   const RigidSurface& surface = s.surface;
   if (!surface.point.allFinite() || !surface.direction.allFinite() || !(surface.direction.norm() > 0))
@@ -71,6 +88,7 @@ void check_surface(const RigidSupport& s, const std::string& name) {
 void check_pressed(const RigidProblem& p, const RigidSupport& s, const std::string& name) {
   if (!s.normal_force) return;
   if (s.surface.kind != RigidSurface::Kind::plane) reject(name, "only planes can press", "leave normal_force empty");
+  if (s.turn) reject(name, "a plane that presses cannot turn", "leave normal_force or turn empty");
   if (p.mobility == Mobility::free && s.radius == 0)
     reject(name, "a pressing plane on a foot of a body that rotates does not say where the finger is",
            "use mobility translation, or a ball");
@@ -81,7 +99,7 @@ void check_pressed(const RigidProblem& p, const RigidSupport& s, const std::stri
 
 void check_overlap(const RigidProblem& p, const RigidSupport& s, const std::string& name) {
   if (s.normal_force) return;
-  const double gap = proximity(s.surface, p.X_WB * s.point_B - at(s.motion, 0).p).distance - s.radius;
+  const double gap = proximity(s, 0, p.X_WB * s.point_B).distance - s.radius;
   if (gap < -overlap_tolerance)
     reject(sentence(name, " with a gap of ", gap, " m at t=0"), "the body starts inside it", "move it out");
 }
@@ -92,6 +110,7 @@ void check_support(const RigidProblem& p, const RigidSupport& s, const std::stri
     reject(name, "needs a finite point of the body and a ball radius >= 0", "0 is a foot");
   check_surface(s, name);
   if (s.motion) check_path(s.motion, p.duration, name);
+  if (s.turn) check_turn(s.turn, p.duration, name);
   check_pressed(p, s, name);
   check_overlap(p, s, name);
 }
@@ -105,6 +124,16 @@ void check_spring(const RigidProblem& p, const RigidSpring& s, const std::string
 }  // namespace
 
 PathPoint at(const RigidPath& path, double t) { return path ? path(t) : PathPoint(); }
+
+TurnPoint at(const RigidTurn& turn, double t) { return turn ? turn(t) : TurnPoint(); }
+
+Proximity proximity(const RigidSupport& support, double t, const Eigen::Vector3d& x_W) {
+  const Eigen::Vector3d from = x_W - at(support.motion, t).p;
+  if (!support.turn) return proximity(support.surface, from);
+  const Eigen::Matrix3d R = support.turn(t).R.toRotationMatrix();
+  const Proximity in_S = proximity(support.surface, R.transpose() * from);
+  return {in_S.distance, R * in_S.normal, R * in_S.curvature * R.transpose()};
+}
 
 void validate(const RigidProblem& problem) {
   check_body(problem);

@@ -25,6 +25,18 @@ using RigidPath = std::function<PathPoint(double t)>;
 
 [[nodiscard]] PathPoint at(const RigidPath& path, double t);
 
+/// A prescribed attitude and its rates, in W.
+struct TurnPoint {
+  Eigen::Quaterniond R{Eigen::Quaterniond::Identity()};  ///< against how the surface is given; unit
+  Eigen::Vector3d w{Eigen::Vector3d::Zero()};            ///< angular velocity [rad/s]
+  Eigen::Vector3d alpha{Eigen::Vector3d::Zero()};        ///< its derivative [rad/s²]
+};
+
+/// As RigidPath; validate() compares w with differences of R, alpha with differences of w. Empty: does not turn.
+using RigidTurn = std::function<TurnPoint(double t)>;
+
+[[nodiscard]] TurnPoint at(const RigidTurn& turn, double t);
+
 /// A hard contact of the body with a surface. The body touches with a point fixed in it (a foot: where it stands, not
 /// where a finger wanders over its face) or with a ball fixed in it, which touches where the surface is nearest.
 ///
@@ -33,13 +45,17 @@ using RigidPath = std::function<PathPoint(double t)>;
 /// normal and presses with N(t); it is apart while N(t) <= 0. Both: stick (a ball rolls) as long as |f| <= μ_s N, else
 /// slip with f = −μ_d N against the sliding velocity, in any tangential direction.
 struct RigidSupport {
-  RigidSurface surface{};                          ///< at path position 0
-  RigidPath motion{};                              ///< translation of the surface
+  RigidSurface surface{};                          ///< in a frame S of its own, which is W at path position 0
+  RigidPath motion{};                              ///< p: place of S's origin
+  RigidTurn turn{};                                ///< of S, about its origin: x_W = R x_S + p
   std::function<double(double t)> normal_force{};  ///< N(t) [N], continuous; planes only
   Friction friction{};
   Eigen::Vector3d point_B{Eigen::Vector3d::Zero()};  ///< the foot, or the centre of the ball [m]
   double radius{0};                                  ///< of the ball [m]; 0: a foot
 };
+
+/// The support's surface where it is at t: φ, ∇φ and ∇∇φ at the point x of W.
+[[nodiscard]] Proximity proximity(const RigidSupport& support, double t, const Eigen::Vector3d& x_W);
 
 /// A spring of no length from a point of the body to a moving point: force k (s(t) − p) on the body.
 struct RigidSpring {

@@ -1,4 +1,5 @@
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -10,11 +11,14 @@ namespace {
 
 namespace rigid = reference::rigid;
 
-/// A support is one sample: it touches, breaks away, sticks again and lets go as the samples of a patch do.
-EventKind kind_of(Mode from, Mode to) {
-  if (to == Mode::apart) return EventKind::release;
-  if (from == Mode::apart) return EventKind::touch;
-  return to == Mode::slip ? EventKind::breakaway : EventKind::restick;
+/// A support is one sample: it touches, breaks away, sticks again and lets go as the samples of a patch do. Two kinds
+/// at one instant where it lands and slides on, or turns its sliding round.
+std::vector<EventKind> kinds_of(Mode from, Mode to) {
+  if (to == Mode::apart) return {EventKind::release};
+  if (from == Mode::apart && to == Mode::stick) return {EventKind::touch};
+  if (from == Mode::apart) return {EventKind::touch, EventKind::breakaway};
+  if (from == Mode::slip && to == Mode::slip) return {EventKind::restick, EventKind::breakaway};
+  return {to == Mode::slip ? EventKind::breakaway : EventKind::restick};
 }
 
 SampleId id_of(std::size_t support) { return {.phalanx = std::uint8_t(support)}; }
@@ -26,7 +30,7 @@ Frame frame_of(const RigidProblem& problem, const rigid::Frame& from) {
     if (s.mode == Mode::apart) continue;
     const RigidSupport& support = problem.supports[i];
     const Eigen::Vector3d foot = from.body.X_WO * support.point_B;
-    const Eigen::Vector3d n = proximity(support.surface, foot - at(support.motion, from.t).p).normal;
+    const Eigen::Vector3d n = proximity(support, from.t, foot).normal;
     const Eigen::Vector3d C = foot - support.radius * n;
     frame.contacts.push_back({.id = id_of(i),
                               .mode = s.mode,
@@ -36,6 +40,20 @@ Frame frame_of(const RigidProblem& problem, const rigid::Frame& from) {
                               .f_W = s.normal_force * n + s.friction_W});
   }
   return frame;
+}
+
+std::vector<Event> events_of(const rigid::Trajectory& trajectory) {
+  std::vector<Event> events;
+  if (!trajectory.frames.empty()) {
+    const rigid::Frame& start = trajectory.frames.front();
+    for (std::size_t i = 0; i < start.supports.size(); ++i)
+      if (start.supports[i].mode == Mode::slip)
+        events.push_back({start.t, 0, EventKind::breakaway, id_of(i), start.body});
+  }
+  for (const rigid::Event& e : trajectory.events)
+    for (const EventKind kind : kinds_of(e.from, e.to))
+      events.push_back({e.t, e.window, kind, id_of(std::size_t(e.support)), e.after});
+  return events;
 }
 
 class RigidEngine : public Engine {
@@ -60,8 +78,7 @@ class RigidEngine : public Engine {
                         .provenance = info(options).settings,
                         .body_names = {"body"}};
     for (const rigid::Frame& frame : t.frames) recording.frames.push_back(frame_of(problem, frame));
-    for (const rigid::Event& e : t.events)
-      recording.events.push_back({e.t, e.window, kind_of(e.from, e.to), id_of(std::size_t(e.support)), e.after});
+    recording.events = events_of(t);
     return recording;
   }
 };

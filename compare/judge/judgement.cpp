@@ -14,7 +14,8 @@ constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();  // of a
 
 bool is_yes_or_no(const catalogue::Claim& claim) {
   const Kind kind = claim.measure.kind;
-  return kind == Kind::held || kind == Kind::no_event || kind == Kind::event_count || kind == Kind::mode_count;
+  return kind == Kind::held || kind == Kind::no_event || kind == Kind::event_count || kind == Kind::mode_count ||
+         kind == Kind::mode;
 }
 
 Grade grade_of(const catalogue::Claim& claim, double value) {
@@ -56,11 +57,14 @@ std::string why_not_asked(const catalogue::Claim& claim, const EngineInfo& engin
     case Kind::mode_count:
     case Kind::lag:
     case Kind::work:
+    case Kind::mode:
       return engine.records.contacts ? "" : "it records no contacts";
     case Kind::dissipated:
+    case Kind::energy_residual:
       return engine.records.energy ? "" : "it records no energy";
     case Kind::displacement:
     case Kind::speed:
+    case Kind::spin:
     case Kind::rotation:
       return measure.at || engine.records.events ? "" : "it records no events";
     case Kind::time_at_displacement:

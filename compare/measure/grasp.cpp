@@ -64,14 +64,6 @@ double elastic_lag(const Scene& scene, const Frame& frame) {
   return n > 0 ? scene.bodies.front().inertia.mass * scene.gravity.norm() / (scene.contact.stiffness * double(n)) : 0;
 }
 
-double energy_residual(const Recording& recording) {
-  const auto book = [](const Energy& e) { return e.kinetic + e.potential + e.elastic + e.dissipated - e.hand_work; };
-  double largest = 0;
-  for (const Frame& frame : recording.frames)
-    largest = larger(largest, std::abs(book(frame.energy) - book(recording.frames.front().energy)));
-  return largest;
-}
-
 }  // namespace
 
 std::string_view to_string(Hold hold) {

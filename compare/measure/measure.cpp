@@ -216,6 +216,21 @@ double count(const Recording& recording, const Measure& what) {
                               [&](const Event& e) { return e.kind == what.event && chosen(e.id, what); }));
 }
 
+/// On the frame at the instant, or at the event.
+double spin(const Recording& recording, const Measure& what, const Event* event) {
+  if (!what.at) return event ? what.axis.dot(event->body.V_WO.w) : nan;
+  const Frame* frame = frame_at(recording, *what.at);
+  return frame ? what.axis.dot(frame->bodies[std::size_t(what.body)].V_WO.w) : nan;
+}
+
+double mode(const Recording& recording, const Measure& what) {
+  const Frame* frame = what.at ? frame_at(recording, *what.at) : nullptr;
+  if (!frame) return nan;
+  for (const ContactState& c : frame->contacts)
+    if (chosen(c.id, what)) return double(c.mode);
+  return double(Mode::apart);
+}
+
 }  // namespace
 
 double measure(const Problem& problem, const Recording& recording, const Measure& asked) {
@@ -236,6 +251,8 @@ double measure(const Problem& problem, const Recording& recording, const Measure
       return along().v;
     case Kind::time_at_displacement:
       return time_at(reader, recording, what.level);
+    case Kind::spin:
+      return spin(recording, what, event);
     case Kind::rotation:
       if (what.at) return rotation(recording, what, *what.at, nullptr);
       return event ? rotation(recording, what, event->t, &event->body) : nan;
@@ -258,6 +275,10 @@ double measure(const Problem& problem, const Recording& recording, const Measure
     case Kind::work:
     case Kind::growth:
       return frames_measure(recording, what);
+    case Kind::energy_residual:
+      return energy_residual(recording);
+    case Kind::mode:
+      return mode(recording, what);
   }
   return nan;
 }

@@ -17,19 +17,19 @@ struct Motion {
 /// Kinematics of one contact: c the foot or the ball's centre, n = ∇φ there, contact point c − r n.
 struct ContactPoint {
   double gap{};       ///< φ(c) − r [m]
-  double gap_rate{};  ///< n · (c' − s') [m/s]
+  double gap_rate{};  ///< n · (c' − s' − w × (c − s)) [m/s]
   Eigen::Vector3d normal{};
   Eigen::Vector3d arm{};               ///< from the centre of mass to the contact point [m]
-  Eigen::Vector3d velocity{};          ///< u = v + ω × arm − s', of the body's matter against the surface's [m/s]
+  Eigen::Vector3d velocity{};          ///< u = v + ω × arm − surface_velocity, of the body's matter [m/s]
   Eigen::Vector3d slip{};              ///< its tangential part
-  Eigen::Vector3d surface_velocity{};  ///< s' [m/s]
+  Eigen::Vector3d surface_velocity{};  ///< s' + w × (contact point − s), of a surface that turns with w [m/s]
 };
 
 [[nodiscard]] ContactPoint contact_point(const RigidSupport& support, double t, const Motion& body);
 
 /// Its time derivatives, with the acceleration a of the centre of mass and the angular acceleration.
 struct ContactRates {
-  double gap_acceleration{};       ///< n · (c'' − s'') + (c' − s')ᵀ ∇∇φ (c' − s') [m/s²]
+  double gap_acceleration{};       ///< φ'': n · (relative acceleration) + qᵀ ∇∇φ q, q the approach [m/s²]
   Eigen::Vector3d acceleration{};  ///< u' [m/s²]
 };
 

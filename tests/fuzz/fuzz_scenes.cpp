@@ -32,14 +32,12 @@ bool finite(const Recording& recording) {
 
 /// Of the energy book, as a part of what it turned over.
 double imbalance(const Recording& recording) {
-  const auto sum = [](const Energy& e) { return e.kinetic + e.potential + e.elastic + e.dissipated - e.hand_work; };
-  double worst = 0, turnover = 1e-3;
+  double turnover = 1e-3;
   for (const Frame& frame : recording.frames) {
     const Energy& e = frame.energy;
     turnover = std::max(turnover, e.kinetic + std::abs(e.potential) + e.elastic + e.dissipated + std::abs(e.hand_work));
-    worst = std::max(worst, std::abs(sum(e) - sum(recording.frames.front().energy)));
   }
-  return worst / turnover;
+  return energy_residual(recording) / turnover;
 }
 
 /// What is wrong with this scene's run; empty if nothing.

@@ -56,10 +56,7 @@ class StepAudit {
   }
 
   [[nodiscard]] const AuditTally& tally() const { return tally_; }
-  [[nodiscard]] static double book(const World& world) {
-    const Energy e = world.energy();
-    return e.kinetic + e.potential + e.elastic + e.dissipated - e.hand_work;
-  }
+  [[nodiscard]] static double book(const World& world) { return energy_sum(world.energy()); }
 
  private:
   void audit(const World& world) {

@@ -95,13 +95,4 @@ inline Scene palm_scene(double duration, const SampleStart& start = {}) {
 
 inline double palm_depth() { return 0.2 * gravity / (4 * 400); }
 
-/// kinetic + potential + elastic + dissipated − hand_work − start, the largest over all frames [J].
-inline double energy_residual(const Recording& recording) {
-  const auto sum = [](const Energy& e) { return e.kinetic + e.potential + e.elastic + e.dissipated - e.hand_work; };
-  double worst = 0;
-  for (const Frame& frame : recording.frames)
-    worst = std::max(worst, std::abs(sum(frame.energy) - sum(recording.frames.front().energy)));
-  return worst;
-}
-
 }  // namespace handhold::reference::testing

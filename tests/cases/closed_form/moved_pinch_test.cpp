@@ -93,5 +93,23 @@ TEST(SideShake, FrictionReachesTheConeThere) {
   EXPECT_NEAR(slip_direction(s).norm(), 1, 1e-14);
 }
 
+/// Against GSL's adaptive steps, begun a little later where the direction is no longer 0/0; and the first microseconds
+/// go along the closed direction.
+TEST(SideShake, SlidesAsIntegrationSays) {
+  const SideShake s{};
+  const double begin = slip_onset(s) + 1e-3, end = slip_onset(s) + 0.03, c = 2 * 0.4 * s.normal_force / s.mass;
+  const auto rates = [&](double t, const State& y) {
+    const double u = std::hypot(y[2], y[3]), a = s.amplitude * s.frequency * s.frequency * std::sin(s.frequency * t);
+    return State{y[2], y[3], a - c * y[2] / u, -s.gravity - c * y[3] / u};
+  };
+  const PlaneSlide from = slide(s, 0.4, begin), to = slide(s, 0.4, end);
+  const Point y = testing::integrate(rates, {begin, {from.x[0], from.x[1], from.u[0], from.u[1]}}, end);
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_NEAR(to.x[i], y.y[std::size_t(i)], 1e-12);
+    EXPECT_NEAR(to.u[i], y.y[std::size_t(i) + 2], 1e-11);
+  }
+  EXPECT_NEAR((slide(s, 0.4, slip_onset(s) + 1e-5).u.normalized() - slip_direction(s)).norm(), 0, 1e-3);
+}
+
 }  // namespace
 }  // namespace handhold::closed_form

@@ -63,6 +63,26 @@ TEST(RigidInput, IsRefusedWithAReason) {
         p.supports[0].motion = [](double t) { return PathPoint{{std::sin(t), 0, 0}, {0, 0, 0}, {0, 0, 0}}; };
       },
       "derivatives");
+  expect_refusal(
+      [](RigidProblem& p) {
+        p.supports[0].turn = [](double t) {
+          return TurnPoint{Eigen::Quaterniond(Eigen::AngleAxisd(t, z_axis)), 2 * z_axis, {0, 0, 0}};
+        };
+      },
+      "rates of its turn");
+  expect_refusal(
+      [](RigidProblem& p) {
+        p.supports[0].turn = [](double t) {
+          return TurnPoint{Eigen::Quaterniond(Eigen::AngleAxisd(t * t, z_axis)), 2 * t * z_axis, {0, 0, 0}};
+        };
+      },
+      "rates of its turn");
+  expect_refusal(
+      [](RigidProblem& p) {
+        p.supports[0].turn = turning(z_axis, 1);
+        p.supports[0].normal_force = constant(1);
+      },
+      "cannot turn");
   expect_refusal([](RigidProblem& p) { p.springs = {{-1, {0, 0, 0}, {0, 0, 0}, {}}}; }, "stiffness");
   expect_refusal(
       [&](RigidProblem& p) { p.load = [=](double, const BodyState&) {
@@ -109,27 +129,6 @@ TEST(RigidRuns, GiveTheSameBitsAgain) {
     EXPECT_EQ(a.frames[i].body.X_WO.p, b.frames[i].body.X_WO.p);
     EXPECT_EQ(a.frames[i].body.X_WO.R.coeffs(), b.frames[i].body.X_WO.R.coeffs());
     EXPECT_EQ(a.frames[i].energy.dissipated, b.frames[i].energy.dissipated);
-  }
-}
-
-/// Landing askew: a plastic impact under friction. By hand: the normal impulse m v_z, friction at most μ of it.
-TEST(RigidImpacts, ObeyTheConeOfImpulses) {
-  for (const double across : {0.3, 3.0}) {  // within the cone it stays; beyond it slides on at μ_d v_z less
-    RigidProblem p = block(0.2, {0.5, 0.4}, 0.2);
-    p.X_WB.p.z() = 0.05;
-    p.V_WB.v = across * x_axis;
-    const Trajectory t = simulate(p);
-    ASSERT_FALSE(t.events.empty());
-    const double speed = std::sqrt(2 * g * 0.05);
-    const Event& landing = t.events[0];
-    EXPECT_NEAR(landing.t, speed / g, 1e-12);
-    EXPECT_NEAR(landing.before.V_WO.v.z(), -speed, 1e-11);
-    EXPECT_NEAR(landing.after.V_WO.v.z(), 0, 1e-14);
-    EXPECT_NEAR(landing.after.V_WO.v.x(), across < 0.5 * speed ? 0 : across - 0.4 * speed, 1e-11);
-    EXPECT_EQ(landing.to, across < 0.5 * speed ? Mode::stick : Mode::slip);
-    Worst worst;
-    worst.add_energy(t, 1);
-    EXPECT_LT(worst.value(), 1e-11);  // what the impact takes is in the book
   }
 }
 
