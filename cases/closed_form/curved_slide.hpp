@@ -18,7 +18,7 @@ struct Dome {
   double gravity{9.81};      ///< [m/s²]
 };
 
-/// v²(θ) [m²/s²].
+/// v²(θ) [m²/s²]; serves the lift-off below.
 [[nodiscard]] double speed_squared(const Dome& d, double angle);
 
 /// Where it lifts off, w = g R cos θ, to the last bit [rad]; NaN if it stops before.

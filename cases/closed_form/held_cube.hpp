@@ -14,7 +14,7 @@ struct HeldCube {
   double gravity{9.81};   ///< [m/s²]
 };
 
-/// About any axis through the centre: m s² / 6 [kg m²].
+/// About any axis through the centre: m s² / 6 [kg m²]; serves the frequencies below.
 [[nodiscard]] double inertia(const HeldCube& cube);
 
 /// √(2 K / m), along the normal as across it [rad/s].

@@ -11,7 +11,7 @@ struct JenkinsLoop {
   double amplitude{0.004};  ///< A of the cyclic displacement, from 0 [m]
 };
 
-/// Lag at which it yields: μ N / K [m].
+/// Lag at which it yields: μ N / K [m]; serves the distances and losses below.
 [[nodiscard]] double yield_lag(const JenkinsLoop& loop);
 
 /// Dissipated in a full cycle: 4 μ N (A − μ N / K), 0 if it never yields [J].

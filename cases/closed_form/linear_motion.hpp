@@ -6,6 +6,8 @@
 
 namespace handhold::closed_form {
 
+// Serve slider_oscillator.hpp, whose cases are G01, C04 and the like; no case asks them directly.
+
 /// A prescribed function of time: constant + rate t + curvature t²/2 + amplitude sin(frequency t + phase). Units are
 /// those of what it drives (N for a force, m for a place) and seconds.
 struct Drive {

@@ -107,6 +107,7 @@ struct OscillatingPalm {
 [[nodiscard]] bool sticks(const OscillatingPalm& p);
 
 /// (A ω²)² >= (μ g)² (1 + π²/4): in the steady motion it never sticks. Between the two it sticks and slips.
+/// Tells where the following have a value; no number of a case.
 [[nodiscard]] bool slides_throughout(const OscillatingPalm& p);
 
 /// Peak of the object's steady speed: π μ g / (2 ω), a triangle wave, when it slides throughout; A ω when it sticks;

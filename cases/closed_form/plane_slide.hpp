@@ -6,7 +6,8 @@
 
 namespace handhold::closed_form {
 
-/// A small object that slides on a plane: x' = u, u' = a(t, x, u) − c u/|u|. L1, c = μ_d N/m constant.
+/// Serves D06 (moved_pinch.hpp) and C12 (turning_palm.hpp). A small object that slides on a plane: x' = u, u' = a(t, x,
+/// u) − c u/|u|. L1, c = μ_d N/m constant.
 struct PlaneSlide {
   Eigen::Vector2d x{Eigen::Vector2d::Zero()};  ///< since the slide began [m]
   Eigen::Vector2d u{Eigen::Vector2d::Zero()};  ///< [m/s]

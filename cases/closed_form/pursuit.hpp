@@ -2,9 +2,9 @@
 
 namespace handhold::closed_form {
 
-/// A sample that slips on a circle. Seen from the object it goes round a centre at distance D, and its anchor follows
-/// on a leash of length ρ (the kinetic lag): a curve of pursuit. ψ is the angle from the sample's velocity to the
-/// leash, with D/ρ = q; per angle θ turned
+/// Serves G08 and G09 (twisted_ring.hpp, spin_stop.hpp). A sample that slips on a circle. Seen from the object it goes
+/// round a centre at distance D, and its anchor follows on a leash of length ρ (the kinetic lag): a curve of pursuit. ψ
+/// is the angle from the sample's velocity to the leash, with D/ρ = q; per angle θ turned
 ///   dψ/dθ = 1 − q sin ψ,
 /// so that ψ tends to asin(1/q). The moment of a pull F along the leash about the centre is F D cos ψ. Valid while
 /// cos ψ > 0: then the anchor moves forwards.

@@ -21,7 +21,8 @@ struct Ratchet {
 /// Largest Z without slip: d0 − m g/(2 μ K) [m].
 [[nodiscard]] double shakedown_amplitude(const Ratchet& ratchet);
 
-/// Creep per cycle for infinitely slow shaking: 2 (m g − 2 μ K (d0 − Z))/K, 0 if it shakes down [m].
+/// Creep per cycle for infinitely slow shaking: 2 (m g − 2 μ K (d0 − Z))/K, 0 if it shakes down [m]. A limit that no
+/// case shakes slowly enough for; RatchetMotion is tested against it.
 [[nodiscard]] double slow_creep(const Ratchet& ratchet);
 
 /// The motion, exact: one slider oscillator each half period, in which the finger that presses less may slip and the
@@ -38,7 +39,7 @@ class RatchetMotion {
   [[nodiscard]] const SliderEvent& first_restick() const { return halves_.front().restick(); }
 
   /// Largest tangential over normal force, over μ, of the finger that is taken for a spring; the solution holds while
-  /// this is below 1. At 200 instants a half period.
+  /// this is below 1. At 200 instants a half period. Tells whether the truth holds; no number of a case.
   [[nodiscard]] double carrier_load() const;
 
  private:

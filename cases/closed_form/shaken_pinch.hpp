@@ -19,7 +19,8 @@ struct ShakenPinch {
 /// z(t) = Z sin ωt [m].
 [[nodiscard]] double relative_displacement(const ShakenPinch& pinch, double t);
 
-/// Normal force of the finger towards which z is counted, K (d0 + z); the other has K (d0 − z) [N].
+/// Normal force of the finger towards which z is counted, K (d0 + z); the other has K (d0 − z) [N]. G11 asks for z, of
+/// which it is a linear function.
 [[nodiscard]] double normal_force(const ShakenPinch& pinch, double t);
 
 /// A at which a finger lets go, Z = d0 [m].

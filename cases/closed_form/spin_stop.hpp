@@ -22,7 +22,8 @@ struct SpinStop {
 /// Spin up to which nothing slips: a ω / Ω = μ_s N / K [rad/s].
 [[nodiscard]] double critical_spin(const SpinStop& stop);
 
-/// Of the following, all but the angles at sticking presume ω0 > critical_spin.
+/// Angle and spin at the breakaway serve the stop, which G09 asks for. Of the following, all but the angles at sticking
+/// presume ω0 > critical_spin.
 [[nodiscard]] double breakaway_angle(const SpinStop& stop);  ///< 2 asin(μ_s N / (2 K a)) [rad]
 [[nodiscard]] double breakaway_time(const SpinStop& stop);   ///< [s]
 [[nodiscard]] double breakaway_spin(const SpinStop& stop);   ///< √(ω0² − 4 Ω² sin²(θ1/2)) [rad/s]

@@ -20,10 +20,12 @@ struct Tray {
 /// bit) [N].
 [[nodiscard]] std::array<double, 4> vertical_forces(const Tray& tray);
 
-/// The same for a lean that tends to 0, k → ∞: m g (1/4 + x x_i / (4 a²) + y y_i / (4 b²)) [N].
+/// A limit that the forces above are tested against, no case being that stiff. The same for a lean that tends to 0,
+/// k → ∞: m g (1/4 + x x_i / (4 a²) + y y_i / (4 b²)) [N].
 [[nodiscard]] std::array<double, 4> level_forces(const Tray& tray);
 
-/// L1: balance leaves the forces of four rigid points undetermined; the first may lie between these [N].
+/// L1: balance leaves the forces of four rigid points undetermined; the first may lie between these [N]. Bounds are no
+/// truth that a claim could state; the forces above are tested to lie between them.
 struct Bounds {
   double low{}, high{};
 };

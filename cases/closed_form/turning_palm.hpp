@@ -18,7 +18,8 @@ struct TiltingPalm {
   Friction friction{0.4, 0.4};
 };
 
-/// g sin θ = μ_s g cos θ + x0 Ω²: θ = φ + asin(x0 Ω² cos φ / g), φ = atan μ_s [rad]; it slips from θ/Ω on [s].
+/// g sin θ = μ_s g cos θ + x0 Ω²: θ = φ + asin(x0 Ω² cos φ / g), φ = atan μ_s [rad]; it slips from θ/Ω on [s], which
+/// C11 asks for.
 [[nodiscard]] double onset_angle(const TiltingPalm& p);
 [[nodiscard]] double slip_onset(const TiltingPalm& p);
 

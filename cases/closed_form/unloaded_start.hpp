@@ -6,7 +6,8 @@ namespace handhold::closed_form {
 
 /// A block laid at rest on a slope at t = 0, its springs in balance with its weight across the slope but not yet along
 /// it: m x'' + C x' + K x = m g sin θ until it breaks away. L2: what compliance makes of C01's start. Between being
-/// laid down and having its whole friction, the block gets a speed that a rigid one has not, which it keeps.
+/// laid down and having its whole friction, the block gets a speed that a rigid one has not, which it keeps. Explains
+/// a figure of docs/benchmarks.md; its cases start loaded, so that L1 and L2 agree.
 struct UnloadedStart {
   Incline incline{};
   double mass{0.2};    ///< m [kg]

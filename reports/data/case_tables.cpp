@@ -111,7 +111,8 @@ void add_judgements(const Json& claim, CaseRow& row) {
 }
 
 CaseRow row_of(const Json& of_case) {
-  CaseRow row{of_case.at("id"), of_case.at("title"), of_case.at("formula"), of_case.at("level"), 0, 0, {}};
+  const auto text = [&](const char* key) { return of_case.at(key).get<std::string>(); };
+  CaseRow row{text("id"), text("title"), text("formula"), text("level"), 0, 0, {}};
   for (const Json& run : of_case.at("runs")) {
     for (const Json& claim : run.at("claims")) add_judgements(claim, row);
     if (!run.at("variant").get<std::string>().empty()) continue;

@@ -164,6 +164,22 @@ Run shaken(const std::string& name, const exact::VerticalShake& s) {
       controlled(), claims);
 }
 
+Run shaken_near(double share) {
+  exact::VerticalShake s{};
+  s.amplitude = share * exact::greatest_acceleration(s) / (s.frequency * s.frequency);
+  return near_threshold(share,
+                        [=] {
+                          RigidProblem p = grip(2, s.mass, s.friction, constant(s.normal_force),
+                                                sine(z_axis, s.amplitude, s.frequency), 2 * pi / s.frequency);
+                          p.V_WB.v = s.amplitude * s.frequency * z_axis;
+                          return Problem(p);
+                        },
+                        {.quantity = "holds",
+                         .truth = share < 1 ? 1. : 0.,
+                         .source = "L1: A w^2 <= 2 mu_s N / m - g",
+                         .measure = {.kind = Measure::Kind::no_event, .event = EventKind::breakaway}});
+}
+
 Case vertical_shake() {
   return {.id = "L1-D04",
           .title = "Pinch shaken vertically",
@@ -171,7 +187,7 @@ Case vertical_shake() {
           .formula = "slips iff A w^2 > 2 mu_s N / m - g",
           .runs = {shaken("20 rad/s", {0.2, 2.6, 0.02, 20, g, {0.5, 0.4}}),
                    shaken("25 rad/s, one coefficient", {0.2, 2.6, 0.01, 25, g, {0.5, 0.5}}),
-                   shaken("holds", {0.2, 4, 0.005, 30, g, {0.5, 0.4}})}};
+                   shaken("holds", {0.2, 4, 0.005, 30, g, {0.5, 0.4}}), shaken_near(0.98), shaken_near(1.02)}};
 }
 
 /// The cone is round: onset and direction of a slip under gravity and a sideways shake, and how the slip turns after.

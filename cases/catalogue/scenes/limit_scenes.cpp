@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "cases/catalogue/builders/scenes.hpp"
-#include "cases/closed_form/rigid_shake.hpp"
+#include "cases/closed_form/moved_pinch.hpp"
 
 namespace handhold::catalogue {
 namespace {
@@ -31,14 +31,14 @@ Scene pinched(const std::string& name, double duration, double stiffness, double
 
 /// Starts with the hand's velocity and the lag of its weight; the hand's acceleration is zero then.
 LimitScene shaken_pinch() {
-  const closed_form::RigidShake s;
+  const closed_form::VerticalShake s{.amplitude = 0.01, .frequency = 25, .friction = {0.5, 0.5}};
   const double end = 0.36;  // after the stop at 0.277 s, before the next onset at 0.398 s
   LimitScene out{.name = "shaken pinch", .what = "D04: a pinch moves up and down by 10 mm at 25 rad/s; mu = 0.5"};
   out.scene = [=](double stiffness) {
     const Path path = [=](double t) -> Eigen::Vector3d { return s.amplitude * std::sin(s.frequency * t) * up; };
     const double lag = s.mass * s.gravity / (stiffness * samples);
     Scene scene =
-        pinched("shaken pinch", end, stiffness, s.mass, {s.mu, s.mu}, s.normal_force, {.lag_W = lag * up}, path);
+        pinched("shaken pinch", end, stiffness, s.mass, s.friction, s.normal_force, {.lag_W = lag * up}, path);
     scene.bodies[0].V_WO.v = s.amplitude * s.frequency * up;
     return scene;
   };
@@ -46,7 +46,7 @@ LimitScene shaken_pinch() {
   out.quantity = "slip of a period";
   out.unit = "m";
   out.measure = {.kind = Measure::Kind::displacement, .axis = -up, .at = end};
-  out.truth = slip_per_period(s);
+  out.truth = -slip(s);
   out.source = "L1: (c - g)(t - t1) = A w (cos w t - cos w t1) stops it";
   return out;
 }
