@@ -82,12 +82,34 @@ RigidPath changed(const RigidPath& path, const Change& change) {
   };
 }
 
+RigidTurn changed(const RigidTurn& turn, const Change& change) {
+  if (!turn) return {};
+  return [turn, change](double t) -> TurnPoint {
+    const double T = change.time();
+    const TurnPoint old = turn(t / T);
+    return {change.X.R * change.own(old.R) * change.X.R.conjugate(), change.axial(old.w) / T,
+            change.axial(old.alpha) / (T * T)};
+  };
+}
+
+/// A surface turns about W's origin, not about where that was moved to: `x` of the latter goes round in the changed W.
+RigidPath about_moved_origin(const RigidPath& path, const RigidTurn& turn, const Vector3d& x) {
+  if (!turn || x.isZero(0)) return path;
+  return [path, turn, x](double t) -> PathPoint {
+    const PathPoint s = at(path, t);
+    const TurnPoint r = turn(t);
+    const Vector3d arm = r.R * x, spun = r.w.cross(arm);
+    return {s.p + x - arm, s.v - spun, s.a - r.alpha.cross(arm) - r.w.cross(spun)};
+  };
+}
+
 RigidSupport changed(RigidSupport support, const Change& change) {
   const double L = change.length, M = change.mass, T = change.time();
   support.surface.point = change.pose({Quaterniond::Identity(), support.surface.point}, 0).p;
   support.surface.direction = change.polar(support.surface.direction);
   support.surface.radius *= L;
-  support.motion = changed(support.motion, change);
+  support.turn = changed(support.turn, change);
+  support.motion = about_moved_origin(changed(support.motion, change), support.turn, change.X.p);
   if (support.normal_force)
     support.normal_force = [force = support.normal_force, M, T](double t) { return M * force(t / T); };
   support.point_B = change.own(L * support.point_B);
