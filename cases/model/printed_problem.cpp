@@ -4,7 +4,7 @@
 #include <string>
 
 #include "cases/model/input_error.hpp"
-#include "cases/model/phalanx.hpp"
+#include "cases/model/patch.hpp"
 #include "cases/model/text.hpp"
 
 namespace handhold {

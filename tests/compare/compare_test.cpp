@@ -109,6 +109,29 @@ TEST(Measure, UnwrapsRotation) {
   EXPECT_NEAR(measure(lone_body(), pulled(), {.kind = Measure::Kind::rotation, .event = EventKind::restick}), 2, 1e-12);
 }
 
+TEST(Measure, ReadsSpinModesAndTheEnergyLedger) {
+  Recording r;
+  r.frames.resize(2);
+  r.frames[1].t = 0.5;
+  for (Frame& frame : r.frames) frame.bodies.resize(1);
+  r.frames[1].bodies[0].V_WO.w = {1, 2, 3};
+  r.frames[1].contacts = {{.id = {.phalanx = 1}, .mode = Mode::slip}};
+  r.frames[1].energy = {.kinetic = 3, .dissipated = 0.25, .hand_work = 3.5};
+  r.events = {{.t = 0.1, .kind = EventKind::touch, .id = {.phalanx = 0}},
+              {.t = 0.2, .kind = EventKind::touch, .id = {.phalanx = 1}}};
+  r.events[1].body.V_WO.w = {0, 0, 7};
+  const Problem problem = RigidProblem{};
+  const auto read = [&](const Measure& what) { return measure(problem, r, what); };
+  EXPECT_EQ(read({.kind = Measure::Kind::spin, .axis = {0, 1, 0}, .at = 0.5}), 2);
+  EXPECT_TRUE(std::isnan(read({.kind = Measure::Kind::spin, .axis = {0, 1, 0}, .at = 0.3})));  // no frame
+  EXPECT_EQ(read({.kind = Measure::Kind::spin, .occurrence = 2, .axis = {0, 0, 1}}), 7);
+  EXPECT_EQ(read({.kind = Measure::Kind::mode, .at = 0.5, .phalanx = 1}), 2);
+  EXPECT_EQ(read({.kind = Measure::Kind::mode, .at = 0.5, .phalanx = 0}), 0);
+  EXPECT_EQ(read({.kind = Measure::Kind::energy_residual}), 0.25);
+  EXPECT_EQ(read({.kind = Measure::Kind::event_time, .phalanx = 1}), 0.2);
+  EXPECT_EQ(read({.kind = Measure::Kind::event_count, .phalanx = 0}), 1);
+}
+
 TEST(Measure, HoldsOnlyBelowItsLevel) {
   EXPECT_EQ(measure(lone_body(), pulled(), {.kind = Measure::Kind::held, .level = 1.01}), 1);
   EXPECT_EQ(measure(lone_body(), pulled(), {.kind = Measure::Kind::held, .level = 0.99}), 0);

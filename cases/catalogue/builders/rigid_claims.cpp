@@ -19,7 +19,7 @@ constexpr const char* not_derived = "no stepped engine plays L1: its limits are 
 
 RigidClaim claim_of(const std::string& quantity, const std::string& unit, double truth, const Measure& measure,
                     double scale = 0) {
-  return {.claim = {.quantity = quantity, .unit = unit, .truth = truth, .scale = scale, .measure = measure}};
+  return {.claim = {.quantity = quantity, .unit = unit, .truth = truth, .measure = measure, .scale = scale}};
 }
 
 RigidClaim yes_or_no(RigidClaim claim) {
