@@ -1,5 +1,6 @@
 #include "cases/catalogue/builders/printed_problems.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -113,8 +114,10 @@ Limit rounding_limit(double places, double of, double gathered, const std::strin
                                 places, of, gathered, why)};
 }
 
-Limit ray_limit(const PrintedFace& face, double places, double lag) {
-  return rounding_limit(places, lag, 1 / (1 - contraction(face)),
+double places_on(Ground ground, double reach) { return ground == Ground::planes ? reach : std::max(reach, 1.0); }
+
+Limit ray_limit(Ground ground, const PrintedFace& face, double reach, double lag) {
+  return rounding_limit(places_on(ground, reach), lag, 1 / (1 - contraction(face)),
                         "a ray keeps q of the last frame's, in all 1/(1 - q)");
 }
 

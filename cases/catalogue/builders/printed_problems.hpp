@@ -61,8 +61,11 @@ inline constexpr Friction sticky{100, 100};
 /// length `of` [m] that forces are made of; `gathered` frames' worth of it adds up. Relative.
 [[nodiscard]] Limit rounding_limit(double places, double of, double gathered, const std::string& why);
 
+/// Places up to `reach` [m] along a face, or where a ray meets the triangles of a voxel field: their corners, 1 m away.
+[[nodiscard]] double places_on(Ground ground, double reach);
+
 /// What a ray leaves: errors shrink by q a frame, so 1/(1 − q) frames' worth of them adds up.
-[[nodiscard]] Limit ray_limit(const closed_form::PrintedFace& face, double places, double lag);
+[[nodiscard]] Limit ray_limit(Ground ground, const closed_form::PrintedFace& face, double reach, double lag);
 
 /// A number of the discrete law, with the same limit for any engine that plays it.
 [[nodiscard]] Claim printed_claim(const std::string& quantity, const std::string& unit, double truth,

@@ -35,7 +35,7 @@ Run slides(Ground ground) {
   Run run{.name = "0.3 m/s", .problem = [=] { return scene(ground); }};
   const double end = frames * drag.face.frame, speed = finger_speed - drag_lag_speed(drag);
   const double q = contraction(drag.face);
-  const Limit limit = rounding_limit(finger_speed * end, steady_lag(), 1 / (1 - std::sqrt(q)),
+  const Limit limit = rounding_limit(places_on(ground, finger_speed * end), steady_lag(), 1 / (1 - std::sqrt(q)),
                                      "lag and speed keep sqrt(q) of the last frame's");
   run.claims = {printed_claim("speed of the block", "m/s", speed, "V - mu_t (N + m g) eps/(n mu_d gamma dt (d + eps))",
                               speed_at(end, along), limit),

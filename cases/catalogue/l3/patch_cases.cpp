@@ -40,9 +40,9 @@ Run collapse_run(Ground ground) {
                 printed_claim("torque about the normal, sticking", "N m", 0, "all forces go through the centroid",
                               torque_at(at(frames)), torque),
                 printed_claim("radius after one frame", "m", a * contraction(face), "r -> q r a frame while r > mu_s d",
-                              radius(1), ray_limit(face, a, a)),
+                              radius(1), ray_limit(ground, face, a, a)),
                 printed_claim("radius in the end", "m", collapse.radius, "a q^n, the first not above mu_s d",
-                              radius(frames), ray_limit(face, collapse.radius, collapse.radius)),
+                              radius(frames), ray_limit(ground, face, collapse.radius, collapse.radius)),
                 printed_count("samples that slip in the last frame above", 8, "r > mu_s d",
                               count_at(at(collapse.frames - 1), Mode::slip)),
                 printed_count("samples that slip in the frame after", 0, "r <= mu_s d",
@@ -69,7 +69,7 @@ Run spin_run(Ground ground) {
             return ring_on_a_face(
                 ground, face, a, [=](double t) { return spin * t; }, frames);
           }};
-  Limit limit = ray_limit(face, a, spin_lag(face, a, spin));
+  Limit limit = ray_limit(ground, face, a, spin_lag(face, a, spin));
   limit.value += 4 * std::pow(contraction(face), frames);  // what is left of the start
   run.claims = {
       printed_claim("steady torque", "N m", spin_torque(face, 8, a, spin),

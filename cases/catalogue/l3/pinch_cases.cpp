@@ -23,9 +23,9 @@ double carrying_lag(const PrintedPinch& p) { return p.mass * p.gravity / (p.samp
 double sliding_lag(const PrintedPinch& p) { return carrying_lag(p) / p.face.friction.mu_dynamic; }
 
 /// A deviation of the lag decays by sqrt(q) a frame, and drives the speed, which decays alike.
-Limit pinch_limit(const PrintedPinch& p, double places, double lag) {
+Limit pinch_limit(Ground ground, const PrintedPinch& p, double reach, double lag) {
   const double gathered = 1 / (1 - std::sqrt(contraction(p.face)));
-  return rounding_limit(places, lag, gathered * gathered,
+  return rounding_limit(places_on(ground, reach), lag, gathered * gathered,
                         "lag and speed both keep sqrt(q) of the last frame's, in all 1/(1 - sqrt(q))^2");
 }
 
@@ -40,10 +40,10 @@ Run terminal_run(Ground ground, FrameOrder order) {
   for (int k = 0; k < 10; ++k) early = next_pinch(p, early);
   const double end = frames * p.face.frame, way = terminal_speed(p) * end;
   run.claims = {printed_claim("speed at frame 10", "m/s", early.speed, "the frame map: force, velocity, ray, position",
-                              speed_at(10 * p.face.frame, down), pinch_limit(p, early.fall + 0.004, early.lag)),
+                              speed_at(10 * p.face.frame, down), pinch_limit(ground, p, early.fall + 0.004, early.lag)),
                 printed_claim("terminal speed", "m/s", terminal_speed(p),
                               "m g eps/(n mu_d gamma dt (d + eps)), over q if the anchor goes first",
-                              speed_at(end, down), pinch_limit(p, way, sliding_lag(p))),
+                              speed_at(end, down), pinch_limit(ground, p, way, sliding_lag(p))),
                 printed_count("slipping samples", 16, "m g > n gamma mu_s d", count_at(end, Mode::slip))};
   return run;
 }
@@ -56,8 +56,7 @@ Run rest_run(Ground ground) {
   const PrintedPinch p{.mass = 0.15};
   Run run{.name = "from rest", .problem = [=] { return in_a_pinch(ground, p, {.lag = carrying_lag(p)}, long_frames); }};
   const double end = long_frames * p.face.frame;
-  const double places = ground == Ground::planes ? 0.005 : 1;  // the field's triangles are metres long
-  const Limit rest = rounding_limit(places, 1, std::sqrt(double(long_frames)), "");
+  const Limit rest = rounding_limit(places_on(ground, 0.005), 1, std::sqrt(double(long_frames)), "");
   run.claims = {
       printed_claim(
           "fall in 10 s", "m", 0, "m g = n gamma lag, and nothing moves", displacement_at(end, down),
@@ -79,7 +78,7 @@ Run sliding_run(Ground ground, double mass, const std::string& name) {
   if (lasts)
     run.claims.push_back(printed_claim("speed", "m/s", terminal_speed(p), "as L3-05",
                                        speed_at(long_frames * p.face.frame, down),
-                                       pinch_limit(p, terminal_speed(p) * 10, sliding_lag(p))));
+                                       pinch_limit(ground, p, terminal_speed(p) * 10, sliding_lag(p))));
   return run;
 }
 

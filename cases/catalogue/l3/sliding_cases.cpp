@@ -47,16 +47,17 @@ Run slide_run(Ground ground, const PrintedFace& face, double v, FrameOrder order
   const double begin = v * slide_frames * face.frame;
   const double after = order == FrameOrder::force_first ? 1 : contraction(face);
   // The last rays end in places of about twice the lag.
-  run.claims = {printed_claim(fmt::format("force at frame {}", early), "N", slide(face, v, order, early).force,
-                              "s' = s + v dt; beyond mu_s d the ray leaves q of it and the force is mu_d gamma s",
-                              force_at(early * face.frame, along),
-                              ray_limit(face, begin, after * slide(face, v, FrameOrder::force_first, early - 1).lag)),
-                printed_claim("steady force", "N", steady_slide_force(face, v, order),
-                              "mu_d gamma v dt (d + eps)/eps before the ray, times q after it",
-                              force_at(slide_frames * face.frame, along),
-                              ray_limit(face, 2 * steady_lag(face, v), after * steady_lag(face, v))),
-                printed_count("slipping at the end", 1, "v > mu_s d eps/(dt (d + eps))",
-                              count_at(slide_frames * face.frame, Mode::slip))};
+  run.claims = {
+      printed_claim(fmt::format("force at frame {}", early), "N", slide(face, v, order, early).force,
+                    "s' = s + v dt; beyond mu_s d the ray leaves q of it and the force is mu_d gamma s",
+                    force_at(early * face.frame, along),
+                    ray_limit(ground, face, begin, after * slide(face, v, FrameOrder::force_first, early - 1).lag)),
+      printed_claim("steady force", "N", steady_slide_force(face, v, order),
+                    "mu_d gamma v dt (d + eps)/eps before the ray, times q after it",
+                    force_at(slide_frames * face.frame, along),
+                    ray_limit(ground, face, 2 * steady_lag(face, v), after * steady_lag(face, v))),
+      printed_count("slipping at the end", 1, "v > mu_s d eps/(dt (d + eps))",
+                    count_at(slide_frames * face.frame, Mode::slip))};
   return run;
 }
 
@@ -72,7 +73,7 @@ Run coarse_run(Ground ground, FrameOrder order) {
   const PrintedSlide end = slide(face, v, order, frames);
   run.claims = {printed_claim("force at frame 100", "N", end.force, "the same map, q = 0.98: still on its way",
                               force_at(frames * face.frame, along),
-                              ray_limit(face, v * frames * face.frame, end.lag / contraction(face)))};
+                              ray_limit(ground, face, v * frames * face.frame, end.lag / contraction(face)))};
   return run;
 }
 
@@ -120,7 +121,7 @@ Run chatter_run(Ground ground, double kinetic) {
                      .relative = true,
                      .reason = "the limit v -> 0 is off by what chatter_error (printed_law.hpp) derives"}),
       printed_claim("force summed over five periods, by the map", "N", p.force, "s' = s + v dt, beyond mu_s d q of it",
-                    sum, ray_limit(face, v * p.last * face.frame, face.friction.mu_static * face.depth)),
+                    sum, ray_limit(ground, face, v * p.last * face.frame, face.friction.mu_static * face.depth)),
       printed_claim("slipping frames", "", frames * share, "share v/v_c", slips,
                     {.value = std::max(1 / (1 - q * share) - 1, 1 - 1 / (1 + share)),
                      .relative = true,
@@ -142,7 +143,7 @@ Run impulse_run(Ground ground, double v) {
       "force summed over the slipping frames", "N", slip_impulse(face, v, frames, 0, last),
       "mu_d gamma (n v dt + s_0 - s_n) (d + eps)/eps",
       {.kind = Measure::Kind::force_sum, .axis = along, .at = frames * face.frame, .from = 0, .mode = Mode::slip},
-      ray_limit(face, middle, face.friction.mu_static * face.depth))};
+      ray_limit(ground, face, middle, face.friction.mu_static * face.depth))};
   return run;
 }
 
@@ -159,7 +160,7 @@ Run light_run(FrameOrder order) {
           }};
   const Measure force = force_at(frames * face.frame, along);
   run.claims = {printed_claim("force", "N", steady_slide_force(face, v, order), "as L3-02", force,
-                              ray_limit(face, steady_lag(face, v), steady_lag(face, v)))};
+                              ray_limit(Ground::planes, face, steady_lag(face, v), steady_lag(face, v)))};
   if (order == FrameOrder::anchor_first) return run;
   run.claims.push_back(printed_claim(
       "force without any squeeze", "N", face.friction.mu_dynamic * face.gamma * v * face.frame,

@@ -128,7 +128,7 @@ Run ball_run() {
   Run run{.name = "exact ball", .problem = [] { return on_a_ball(printed::Ball{ball_radius}, 20); }};
   for (const int rays : {1, 5, 20}) {
     const double beside = ball_radius * angle_after(rays);
-    run.claims.push_back(anchor_claim(rays, ray_limit({}, ball_radius, beside)));
+    run.claims.push_back(anchor_claim(rays, ray_limit(Ground::planes, {}, ball_radius, beside)));
   }
   return run;
 }
