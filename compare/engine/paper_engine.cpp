@@ -1,7 +1,5 @@
 #include <memory>
 
-#include <fmt/format.h>
-
 #include "compare/engine/engines.hpp"
 #include "compare/engine/paper_player.hpp"
 

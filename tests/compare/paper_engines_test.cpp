@@ -89,8 +89,8 @@ TEST(PaperEngine, RecordsTheAnchorThatTheForceUsed) {
 Scene block_on_a_palm() {
   Scene scene;
   scene.bodies = {catalogue::block({catalogue::edge, catalogue::edge, catalogue::edge}, catalogue::voxel, 0.1, {})};
-  scene.hands = {
-      catalogue::hand_of({catalogue::palm_patch({}, [](double) { return Eigen::Vector3d::Zero().eval(); })}, 1)};
+  scene.hands = {catalogue::hand_of(
+      {catalogue::palm_patch({}, [](double) -> Eigen::Vector3d { return Eigen::Vector3d::Zero(); })}, 1)};
   return scene;
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -107,7 +106,6 @@ std::vector<Run> on_both(const std::function<Run(Ground)>& run) {
 }
 
 Limit rounding_limit(double places, double of, double gathered, const std::string& why) {
-  constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
   return {.value = 4 * unit_roundoff * places / of * gathered,
           .relative = true,
           .reason = fmt::format("an exact map: four roundings of places up to {:.2g} m in {:.2g} m, times {:.2g}: {}",

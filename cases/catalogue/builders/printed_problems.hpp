@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,9 @@ inline constexpr Friction sticky{100, 100};
 
 /// A run on planes and, as a variant, on voxels.
 [[nodiscard]] std::vector<Run> on_both(const std::function<Run(Ground)>& run);
+
+/// u = 2^-53: the largest relative error of one operation.
+inline constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
 
 /// Every case of level L3 asserts exact maps from frame to frame, so that only rounding parts law and truth: places up
 /// to `places` [m] are rounded four times a frame (phalanx, ray, anchor, their difference), which is compared with a

@@ -35,7 +35,7 @@ Run approach_run(Ground ground) {
       printed_claim("force 90 ms after touch", "N", 0, "the centroid is outside, and a gate holds the pull back",
                     force_at(100 * frame, up), {.value = 0, .reason = "nothing acts"}),
       printed_claim("force in the end", "N", 8 * PrintedFace{}.gamma * height(end), "n gamma d", force_at(end, up),
-                    rounding_limit(top_of(ground) + radius, -height(end), 1, "one frame"))};
+                    rounding_limit(top_of(ground) + radius, -height(end), 2, "the sum of eight has as many"))};
   return run;
 }
 
@@ -52,7 +52,7 @@ Run ungated_run(Ground ground, printed::Sign sign) {
   const double pull = closed_form::largest_pull(PrintedFace{}.gamma, 8, radius);
   run.claims = {printed_claim("force when the skin touches", "N", printed_sign ? -pull : pull,
                               "n gamma r_c: adhesion, or a jump that repels", force_at(0, up),
-                              rounding_limit(top_of(ground) + radius, radius, 1, "one frame"))};
+                              rounding_limit(top_of(ground) + radius, radius, 4, "the sum of eight"))};
   return run;
 }
 

@@ -34,13 +34,18 @@ PrintedProblem scene(Ground ground) {
 Run slides(Ground ground) {
   Run run{.name = "0.3 m/s", .problem = [=] { return scene(ground); }};
   const double end = frames * drag.face.frame, speed = finger_speed - drag_lag_speed(drag);
-  const double q = contraction(drag.face);
-  const Limit limit = rounding_limit(places_on(ground, finger_speed * end), steady_lag(), 1 / (1 - std::sqrt(q)),
-                                     "lag and speed keep sqrt(q) of the last frame's");
+  // As in a pinch: w of a lag's rounding goes into the speed, (1 - q) of the lag is what it lags behind in a frame.
+  const closed_form::PrintedFace& f = drag.face;
+  const double q = contraction(f), kept = 1 / (1 - std::sqrt(q)), behind = drag_lag_speed(drag) / speed;
+  const double w = drag.samples * f.friction.mu_dynamic * f.gamma * f.frame * f.frame / drag.mass;
+  const double reach = places_on(ground, finger_speed * end);
+  const Limit of_lag = rounding_limit(reach, steady_lag(), kept, "1/(1 - sqrt(q)) frames add up");
+  const Limit of_speed = rounding_limit(reach, steady_lag(), w / (1 - q) * kept * behind,
+                                        "w of the lag goes into the speed, for 1/(1 - sqrt(q)) frames");
   run.claims = {printed_claim("speed of the block", "m/s", speed, "V - mu_t (N + m g) eps/(n mu_d gamma dt (d + eps))",
-                              speed_at(end, along), limit),
+                              speed_at(end, along), of_speed),
                 printed_claim("lag of the samples", "m", steady_lag(), "n mu_d gamma s = mu_t (N + m g)",
-                              {.kind = Measure::Kind::lag, .axis = along, .at = end}, limit),
+                              {.kind = Measure::Kind::lag, .axis = along, .at = end}, of_lag),
                 printed_count("slides on", 1, "mu_t (N + m g) > mu_d mu_s N",
                               {.kind = Measure::Kind::no_event, .event = EventKind::restick})};
   return run;

@@ -56,7 +56,7 @@ Run own_points_run(Ground ground) {
   Run run{.name = "points of their own", .problem = [=] { return ring_on_a_face(ground, face, a, twisted, 1); }};
   run.claims = {printed_claim("torque of a twist of 0.4 rad", "N m", closed_form::stick_torque(face.gamma, 8, a, twist),
                               "8 gamma a^2 sin(phi)", torque_at(face.frame),
-                              rounding_limit(a, a, 2, "arm and force have them"))};
+                              rounding_limit(a, a, 4, "arm, force and the sum of eight"))};
   return run;
 }
 

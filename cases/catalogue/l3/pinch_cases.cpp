@@ -22,11 +22,13 @@ double carrying_lag(const PrintedPinch& p) { return p.mass * p.gravity / (p.samp
 /// The lag before the ray while sliding steadily, force first.
 double sliding_lag(const PrintedPinch& p) { return carrying_lag(p) / p.face.friction.mu_dynamic; }
 
-/// A deviation of the lag decays by sqrt(q) a frame, and drives the speed, which decays alike.
+/// Of the speed. A rounding of the lag e moves the object by w e in the next frame, w = n mu_d gamma dt^2/m, a steady
+/// slide by (1 - q) e; lag and speed keep sqrt(q) of it from frame to frame.
 Limit pinch_limit(Ground ground, const PrintedPinch& p, double reach, double lag) {
-  const double gathered = 1 / (1 - std::sqrt(contraction(p.face)));
-  return rounding_limit(places_on(ground, reach), lag, gathered * gathered,
-                        "lag and speed both keep sqrt(q) of the last frame's, in all 1/(1 - sqrt(q))^2");
+  const double q = contraction(p.face);
+  const double w = p.samples * p.face.friction.mu_dynamic * p.face.gamma * p.face.frame * p.face.frame / p.mass;
+  return rounding_limit(places_on(ground, reach), lag, w / ((1 - q) * (1 - std::sqrt(q))),
+                        "w of the lag goes into the speed, (1 - q) of it is the speed, 1/(1 - sqrt(q)) frames add up");
 }
 
 // --- L3-05 -----------------------------------------------------------------------------------------------------------

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -25,18 +26,25 @@ PrintedProblem scene(Ground ground, printed::Sign sign) {
   return p;
 }
 
-/// Roundings gather like a random walk, and a deviation grows or turns as the depth does.
-Limit limit(Ground ground, double of) {
-  return rounding_limit(top_of(ground) + 0.012, of, std::sqrt(double(frames)), "sqrt(n), they gather at random");
+/// Of the gain of depth after n frames. Places are rounded as they grow, the spring's force by w of the depth's place,
+/// and both gather at random; the truth's theta is known to u/w of itself, since 1 + w/2 is rounded, and a gain follows
+/// it max(2, n theta) times.
+Limit limit(Ground ground, int n, double gain) {
+  const double w = spring_number(springs);
+  const double places = std::abs(gain) + w * n * (top_of(ground) + first_depth);
+  Limit limit = rounding_limit(places, std::abs(gain), std::sqrt(double(n)), "sqrt(n), they gather at random");
+  limit.value += std::max(2.0, n * std::sqrt(w)) * unit_roundoff / w;
+  limit.reason += "; the truth's theta is known to u/w";
+  return limit;
 }
 
 Run attracted(Ground ground) {
   Run run{.name = "as printed", .problem = [=] { return scene(ground, printed::Sign::as_printed); }};
-  for (const int n : {10, 25, 50}) {
+  for (const int n : {10, 25, 40}) {
     const double deeper = attracted_depth(springs, first_depth, n) - first_depth;
     run.claims.push_back(printed_claim("gain of depth at frame " + std::to_string(n), "m", deeper,
                                        "d0 cosh((n + 1/2) theta) / cosh(theta/2) - d0, cosh theta = 1 + K dt^2/(2 m)",
-                                       displacement_at(n * springs.frame, up), limit(ground, deeper)));
+                                       displacement_at(n * springs.frame, up), limit(ground, n, deeper)));
   }
   return run;
 }
@@ -50,7 +58,7 @@ Run repelled(Ground ground) {
   const auto gain = [&](int n, double depth) {
     return printed_claim("gain of depth at frame " + std::to_string(n), "m", depth - first_depth,
                          "d0 cos((n + 1/2) theta) / cos(theta/2) - d0 until it is off, then straight on",
-                         displacement_at(n * springs.frame, up), limit(ground, first_depth));
+                         displacement_at(n * springs.frame, up), limit(ground, n, depth - first_depth));
   };
   run.claims = {gain(10, repelled_depth(springs, first_depth, 10)), gain(20, repelled_depth(springs, first_depth, 20)),
                 gain(frames, off + (frames - last) * step),

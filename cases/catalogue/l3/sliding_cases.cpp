@@ -33,6 +33,12 @@ Scalar until_zero(const PrintedFace& face, double v, int frames) {
 
 double steady_lag(const PrintedFace& face, double v) { return v * face.frame / (1 - contraction(face)); }
 
+/// At the end of such a way places are small, but v t is rounded for now and for the frame before: half of the four
+/// roundings of the whole way.
+double end_reach(const PrintedFace& face, double v, int frames) {
+  return v * frames * face.frame / 2 + 2 * steady_lag(face, v);
+}
+
 // --- L3-02 -----------------------------------------------------------------------------------------------------------
 
 constexpr int slide_frames = 200;  // q^200 = 6e-30
@@ -46,7 +52,6 @@ Run slide_run(Ground ground, const PrintedFace& face, double v, FrameOrder order
   const int early = 4;
   const double begin = v * slide_frames * face.frame;
   const double after = order == FrameOrder::force_first ? 1 : contraction(face);
-  // The last rays end in places of about twice the lag.
   run.claims = {
       printed_claim(fmt::format("force at frame {}", early), "N", slide(face, v, order, early).force,
                     "s' = s + v dt; beyond mu_s d the ray leaves q of it and the force is mu_d gamma s",
@@ -55,7 +60,7 @@ Run slide_run(Ground ground, const PrintedFace& face, double v, FrameOrder order
       printed_claim("steady force", "N", steady_slide_force(face, v, order),
                     "mu_d gamma v dt (d + eps)/eps before the ray, times q after it",
                     force_at(slide_frames * face.frame, along),
-                    ray_limit(ground, face, 2 * steady_lag(face, v), after * steady_lag(face, v))),
+                    ray_limit(ground, face, end_reach(face, v, slide_frames), after * steady_lag(face, v))),
       printed_count("slipping at the end", 1, "v > mu_s d eps/(dt (d + eps))",
                     count_at(slide_frames * face.frame, Mode::slip))};
   return run;
@@ -105,7 +110,9 @@ Run chatter_run(Ground ground, double kinetic) {
   const double v = 1.0007e-4;  // at 1e-4 a break-away is a tie, lag = mu_s d: rounding decides
   const Periods p = periods(face, v);
   const int frames = p.last - p.first + 1;
-  const double share = chatter_share(face, v), q = contraction(face);
+  Limit added = ray_limit(ground, face, v * p.last * face.frame, face.friction.mu_static * face.depth);
+  added.value += frames * unit_roundoff;
+  added.reason += "; + u for every frame that is added";
   Run run{.name = fmt::format("mu_d = {}", kinetic), .problem = [=] {
             return on_a_face(
                 ground, face, [v](double t) { return v * t; }, p.last);
@@ -121,11 +128,8 @@ Run chatter_run(Ground ground, double kinetic) {
                      .relative = true,
                      .reason = "the limit v -> 0 is off by what chatter_error (printed_law.hpp) derives"}),
       printed_claim("force summed over five periods, by the map", "N", p.force, "s' = s + v dt, beyond mu_s d q of it",
-                    sum, ray_limit(ground, face, v * p.last * face.frame, face.friction.mu_static * face.depth)),
-      printed_claim("slipping frames", "", frames * share, "share v/v_c", slips,
-                    {.value = std::max(1 / (1 - q * share) - 1, 1 - 1 / (1 + share)),
-                     .relative = true,
-                     .reason = "whole periods have shares from r/(1 + r) to r/(1 - q r), r = v/v_c"})};
+                    sum, added),
+      printed_count("slipping frames", Periods::count, "one a period; a share of v/v_c of all frames", slips)};
   return run;
 }
 
@@ -134,7 +138,12 @@ Run chatter_run(Ground ground, double kinetic) {
 Run impulse_run(Ground ground, double v) {
   const PrintedFace face;
   const int frames = 500;
-  const double middle = v * frames * face.frame / 2, last = slide(face, v, FrameOrder::force_first, frames).lag;
+  // The frames' deviations come into a sum that is as long as the way; the sum itself rounds once a frame.
+  const double middle = v * frames * face.frame / 2;
+  Limit limit = rounding_limit(places_on(ground, middle), 2 * middle, std::sqrt(double(frames)), "sqrt(n), at random");
+  limit.value += frames * unit_roundoff;
+  limit.reason += "; + u for every frame that is added";
+  const double last = slide(face, v, FrameOrder::force_first, frames).lag;
   Run run{.name = fmt::format("{} m/s", v), .problem = [=] {
             return on_a_face(
                 ground, face, [=](double t) { return v * t - middle; }, frames);
@@ -143,7 +152,7 @@ Run impulse_run(Ground ground, double v) {
       "force summed over the slipping frames", "N", slip_impulse(face, v, frames, 0, last),
       "mu_d gamma (n v dt + s_0 - s_n) (d + eps)/eps",
       {.kind = Measure::Kind::force_sum, .axis = along, .at = frames * face.frame, .from = 0, .mode = Mode::slip},
-      ray_limit(ground, face, middle, face.friction.mu_static * face.depth))};
+      limit)};
   return run;
 }
 
@@ -160,7 +169,7 @@ Run light_run(FrameOrder order) {
           }};
   const Measure force = force_at(frames * face.frame, along);
   run.claims = {printed_claim("force", "N", steady_slide_force(face, v, order), "as L3-02", force,
-                              ray_limit(Ground::planes, face, steady_lag(face, v), steady_lag(face, v)))};
+                              ray_limit(Ground::planes, face, end_reach(face, v, frames), steady_lag(face, v)))};
   if (order == FrameOrder::anchor_first) return run;
   run.claims.push_back(printed_claim(
       "force without any squeeze", "N", face.friction.mu_dynamic * face.gamma * v * face.frame,

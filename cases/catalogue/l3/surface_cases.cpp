@@ -33,7 +33,7 @@ PrintedProblem pressed(const printed::Shape& shape, const Vector3d& place, const
 std::vector<Claim> press_claims(double slope, double places) {
   const PrintedFace face;
   const auto truth = tilted_press(face, slope);
-  const Limit limit = rounding_limit(places, face.depth, 1, "one frame");
+  const Limit limit = rounding_limit(places, face.depth, 4, "the projections have as many");
   std::vector<Claim> claims{
       printed_count("sticks", truth.sticks, "tan(phi) <= mu_s", count_at(face.frame, Mode::stick)),
       printed_claim("force straight in", "N", truth.normal, "gamma d (cos^2 + mu_d sin^2), or gamma d",
@@ -86,10 +86,10 @@ Run smooth_run(printed::Normals normals, const std::string& name) {
             return pressed(printed::Voxels{inclined(slope), normals}, 0.015 * normal_of(slope), normal_of(slope),
                            face.depth);
           }};
-  run.claims = {
-      printed_count("sticks", 1, "the normal is the slope's", count_at(face.frame, Mode::stick)),
-      printed_claim("force straight in", "N", face.gamma * face.depth, "gamma d, all of it",
-                    force_at(face.frame, -normal_of(slope)), rounding_limit(0.03, face.depth, 1, "one frame"))};
+  run.claims = {printed_count("sticks", 1, "the normal is the slope's", count_at(face.frame, Mode::stick)),
+                printed_claim("force straight in", "N", face.gamma * face.depth, "gamma d, all of it",
+                              force_at(face.frame, -normal_of(slope)),
+                              rounding_limit(0.03, face.depth, 4, "the projections have as many"))};
   return run;
 }
 
@@ -127,8 +127,10 @@ Claim anchor_claim(int rays, const Limit& limit) {
 Run ball_run() {
   Run run{.name = "exact ball", .problem = [] { return on_a_ball(printed::Ball{ball_radius}, 20); }};
   for (const int rays : {1, 5, 20}) {
-    const double beside = ball_radius * angle_after(rays);
-    run.claims.push_back(anchor_claim(rays, ray_limit(Ground::planes, {}, ball_radius, beside)));
+    const PrintedFace face;
+    run.claims.push_back(anchor_claim(
+        rays, rounding_limit(ball_radius, 2 * face.offset, rays * face.offset / face.depth,
+                             "|o|^2 - R^2 loses R/(2 eps), and moves the hit by eps/d of that, every ray")));
   }
   return run;
 }
