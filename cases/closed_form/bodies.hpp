@@ -8,7 +8,7 @@ namespace handhold::closed_form {
 struct Strike {
   double mass_a{0.3}, mass_b{0.1};      ///< [kg]
   double speed_a{-0.2}, speed_b{-0.5};  ///< at t = 0, up [m/s]; b is above and falls faster
-  double gap{0.01};                     ///< [m]
+  double gap{0.0104};                   ///< [m]
   double stiffness{17};                 ///< K [N/m]
   double gravity{9.81};                 ///< downwards [m/s²]
 };

@@ -137,8 +137,7 @@ Case struck_case() {
                  .source = "L2: free fall, half the kick during contact, all of it after",
                  .measure = {.kind = Measure::Kind::displacement, .axis = up, .at = end, .body = 0},
                  .controlled = controlled_limit(),
-                 .stepped = way,
-                 .converges = true}};
+                 .stepped = way}};
   return {
       .id = "H03",
       .title = "A falling block struck by a faster one",

@@ -7,8 +7,8 @@
 namespace handhold::catalogue {
 namespace {
 
-constexpr double mass = 0.2, frequency = 20, gap = 0.005, down = 0.2;  // [kg], [rad/s], [m], [m/s]
-constexpr double stiffness = mass * frequency * frequency;             // of all samples [N/m]
+constexpr double mass = 0.2, frequency = 20, gap = 0.0052, down = 0.2;  // [kg], [rad/s], [m], [m/s]
+constexpr double stiffness = mass * frequency * frequency;              // of all samples [N/m]
 constexpr double contact_time = std::numbers::pi / frequency;
 constexpr Friction friction{.mu_static = 0.5, .mu_dynamic = 0.4};
 const Eigen::Vector3d along = Eigen::Vector3d::UnitX(), up = Eigen::Vector3d::UnitZ();

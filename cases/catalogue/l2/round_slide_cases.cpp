@@ -1,6 +1,8 @@
 // H07, H08: a finger slides round a cylinder and a sphere.
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include <Eigen/Geometry>

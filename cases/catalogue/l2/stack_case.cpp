@@ -10,8 +10,8 @@ using closed_form::Stack;
 constexpr int samples = 8, lower = 0, upper = 1;
 const Eigen::Vector3d along = Eigen::Vector3d::UnitX(), up = Eigen::Vector3d::UnitZ();
 
-/// Of the upper block that gives `pair` together with a lower one that has `palm` against skin.
-Friction partner(double palm, double pair) { return {pair * pair / palm, pair * pair / palm}; }
+/// Of the upper block that gives `pair` together with a lower one of friction `below`.
+Friction partner(double below, double pair) { return {pair * pair / below, pair * pair / below}; }
 
 Scene scene(const Stack& s, double duration) {
   Scene scene;

@@ -47,6 +47,7 @@ Case support_case() {
                 {.quantity = "sag",
                  .unit = "m",
                  .truth = 0,
+                 .scale = speed * support_time,
                  .source = "L1 = L2: it carries the weight",
                  .measure = {.kind = Measure::Kind::displacement, .axis = up, .at = end},
                  .controlled = absolute_controlled_limit(),
