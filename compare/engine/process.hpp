@@ -18,6 +18,9 @@ struct ProcessOptions {
   std::filesystem::path folder{};  ///< for {problem} and {out}, which stay there; empty: temporary
 };
 
+/// Throws InputError for a command without {problem} and {out}, and for a time limit that is not > 0.
+void validate(const ProcessOptions& options);
+
 /// What came of it: one of the three.
 struct ProcessAnswer {
   std::optional<Recording> recording{};

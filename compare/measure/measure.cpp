@@ -79,8 +79,10 @@ Measure counted(const RigidProblem& problem, Measure what) {
   return what;
 }
 
+Measure counted(const PrintedProblem&, Measure what) { return what; }
+
 /// Its hand is known at frames only: the body is measured against W.
-Against against(const PrintedProblem& problem) { return {.center_O = problem.inertia.center}; }
+Against against(const PrintedProblem& problem, const Measure&) { return {.center_O = problem.inertia.center}; }
 
 class Reader {
  public:

@@ -90,7 +90,7 @@ TEST(Variants, FollowThePlainRunsWithTheSameTruth) {
     while (plain < c.runs.size() && c.runs[plain].variant.empty()) ++plain;
     ASSERT_EQ(c.runs.size(), c.level == Level::printed ? plain : 4 * plain) << c.id;
     for (std::size_t i = plain; i < c.runs.size(); ++i) {
-      const Run &run = c.runs[i], &old = c.runs[i % plain];
+      const catalogue::Run &run = c.runs[i], &old = c.runs[i % plain];
       EXPECT_EQ(run.name, old.name);
       EXPECT_EQ(run.variant, i < 2 * plain ? "turned" : i < 3 * plain ? "mirrored" : "reordered");
       EXPECT_FALSE(run.curve);

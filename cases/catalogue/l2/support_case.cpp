@@ -47,11 +47,11 @@ Case support_case() {
                 {.quantity = "sag",
                  .unit = "m",
                  .truth = 0,
-                 .scale = speed * support_time,
                  .source = "L1 = L2: it carries the weight",
                  .measure = {.kind = Measure::Kind::displacement, .axis = up, .at = end},
                  .controlled = absolute_controlled_limit(),
-                 .stepped = {.value = 5e-15, .reason = "no force at all: rounding of places of a metre"}}};
+                 .stepped = {.value = 5e-15, .reason = "no force at all: rounding of places of a metre"},
+                 .scale = speed * support_time}};
   return {.id = "H10",
           .title = "A support brakes what it carries",
           .truth_level = "L1 = L2",
