@@ -80,13 +80,17 @@ std::vector<Primitive> plain_shapes(const RigidProblem& problem) {
   return {ball(bead_radius, supports[0].point_B)};
 }
 
-SampledMotion sampled(const RigidPath& path, double step, int steps) {
+SampledMotion sampled(const RigidPath& path, const RigidTurn& turn, double step, int steps) {
   SampledMotion motion;
-  if (!path) return motion;
+  if (!path && !turn) return motion;
   for (int k = 0; k <= steps; ++k) {
-    const PathPoint point = path(k * step);
+    const PathPoint point = at(path, k * step);
     motion.p.push_back(point.p);
     motion.v.push_back(point.v);
+    if (!turn) continue;
+    const TurnPoint attitude = turn(k * step);
+    motion.q.push_back(attitude.R);
+    motion.w.push_back(attitude.w);
   }
   return motion;
 }
@@ -111,8 +115,9 @@ void sample_load(const RigidProblem& problem, double step, int steps, SampledPro
 }
 
 SampledProblem::Support sampled_support(const RigidSupport& s, int number, double step, int steps) {
-  SampledProblem::Support out{fmt::format("support {}", number), "body", s.surface, s.friction, s.point_B, s.radius, {},
-                              sampled(s.motion, step, steps)};
+  SampledProblem::Support out{
+      fmt::format("support {}", number),     "body", s.surface, s.friction, s.point_B, s.radius, {},
+      sampled(s.motion, s.turn, step, steps)};
   out.surface.direction.normalize();
   if (s.normal_force)
     for (int k = 0; k <= steps; ++k) out.normal_force.push_back(s.normal_force(k * step));
@@ -147,7 +152,7 @@ SampledProblem sample(const RigidProblem& problem, const std::string& name, doub
   for (std::size_t i = 0; i < problem.supports.size(); ++i)
     out.supports.push_back(sampled_support(problem.supports[i], int(i), step, out.steps));
   for (const RigidSpring& s : problem.springs)
-    out.springs.push_back({"body", s.stiffness, s.point_B, s.anchor_W, sampled(s.motion, step, out.steps)});
+    out.springs.push_back({"body", s.stiffness, s.point_B, s.anchor_W, sampled(s.motion, {}, step, out.steps)});
   return out;
 }
 
