@@ -65,8 +65,8 @@ void validate(const HostOptions& options);
 
 /// A phalanx P that moves as told, with its contact samples.
 struct Phalanx {
-  std::vector<Eigen::Vector3d> p_P{};   ///< at most max_samples, in P [m]; P's origin is the phalanx's centroid
-  std::vector<SampleStart> start{};     ///< empty (unstretched), or one a sample
+  std::vector<Eigen::Vector3d> p_P{};    ///< at most max_samples, in P [m]; P's origin is the phalanx's centroid
+  std::vector<SampleStart> start{};      ///< empty (unstretched), or one a sample
   std::function<Pose(double t)> pose{};  ///< X_WP, asked at the frames
 };
 
@@ -84,15 +84,15 @@ struct PrintedProblem {
   printed::HostOptions host{};
   printed::Shape shape{};
   Friction friction{};
-  Inertia inertia{.mass = 1};             ///< not asked of a fixed body; its tensor of a free one only
+  Inertia inertia{.mass = 1};  ///< not asked of a fixed body; its tensor of a free one only
   Mobility mobility{Mobility::free};
-  Pose X_WO{};                            ///< at t = 0
-  Twist V_WO{};                           ///< at t = 0
-  Eigen::Vector3d gravity{0, 0, -9.81};   ///< [m/s²]
+  Pose X_WO{};                           ///< at t = 0
+  Twist V_WO{};                          ///< at t = 0
+  Eigen::Vector3d gravity{0, 0, -9.81};  ///< [m/s²]
   std::vector<printed::Phalanx> phalanges{};
-  std::function<Load(double t)> load{};   ///< besides gravity, constant over a frame; empty: none
-  double frame{1.0 / 90};                 ///< dt [s]
-  int frames{1};                          ///< how many, >= 1
+  std::function<Load(double t)> load{};  ///< besides gravity, constant over a frame; empty: none
+  double frame{1.0 / 90};                ///< dt [s]
+  int frames{1};                         ///< how many, >= 1
 };
 
 /// Throws InputError naming the first thing that cannot be simulated.

@@ -38,7 +38,9 @@ Played played(const Scene& scene, const EngineOptions& options) {
   std::vector<PlayedPatch> patches = patches_of(scene);
   paper::Middleware law(paper::make_surface(printed::Voxels{body.field}), body.inertia.center, body.friction,
                         law_of(scene), int(patches.size()));
-  Played out{.host = {std::move(law), host_body(body.inertia, body.mobility, body.X_WO, body.V_WO), scene.gravity,
+  Played out{.host = {std::move(law),
+                      host_body(body.inertia, body.mobility, body.X_WO, body.V_WO),
+                      scene.gravity,
                       {.substeps = options.substeps}},
              .patches = std::move(patches),
              .load = body.load};
@@ -82,7 +84,8 @@ class PaperCoulombEngine : public Engine {
     for (const Hand& hand : scene.hands)
       if (hand.given.empty()) return "it feels given sample points, not whole phalanges";
     for (const PlayedPatch& patch : patches_of(scene))
-      if (patch.p_P.size() > std::size_t(max_samples)) return fmt::format("its patches hold at most {} samples", max_samples);
+      if (patch.p_P.size() > std::size_t(max_samples))
+        return fmt::format("its patches hold at most {} samples", max_samples);
     return {};
   }
 

@@ -14,7 +14,7 @@ struct HostBody {
   Eigen::Matrix3d inertia_O{Eigen::Matrix3d::Identity()};  ///< about the centre of mass [kg m²]
   Eigen::Vector3d center_O{Eigen::Vector3d::Zero()};       ///< centre of mass in O [m]
   Mobility mobility{Mobility::free};
-  BodyMotion motion{};                                     ///< v is the centre of mass's
+  BodyMotion motion{};  ///< v is the centre of mass's
 };
 
 /// The least of a physics engine: one rigid body, gravity, explicit forces. It stands for the engine behind the
