@@ -28,42 +28,39 @@ export async function start({ module, folder }, { gravity, step, solids, setting
     ball: ({ radius }) => H.HP_Shape_CreateSphere(zero, radius * size),
     capsule: ({ half_length: l, radius }) => H.HP_Shape_CreateCapsule([0, 0, -l * size], [0, 0, l * size], radius * size),
   };
-  const create = (s, motion, mask) => {
+  const motions = { fixed: 'STATIC', driven: 'KINEMATIC', finger: 'DYNAMIC', body: 'DYNAMIC' };
+  const control = settings.sleep ? 'SIMULATION_CONTROLLED' : 'ALWAYS_ACTIVE';
+  const bodies = solids.map((s) => {
     const body = ok(H.HP_Body_Create()), shape = ok(shapes[s.shape.type](s.shape));
     ok(H.HP_Shape_SetMaterial(shape, [...s.mu, 0, H.MaterialCombine.MAXIMUM, H.MaterialCombine.MAXIMUM]));
-    ok(H.HP_Shape_SetFilterInfo(shape, mask)); // what it is, what it touches
+    ok(H.HP_Shape_SetFilterInfo(shape, s.ghost ? [0, 0] : s.role === 'body' ? [1, 3] : [2, 1]));
     ok(H.HP_Body_SetShape(body, shape));
-    ok(H.HP_Body_SetMotionType(body, H.MotionType[motion]));
+    ok(H.HP_Body_SetMotionType(body, H.MotionType[motions[s.role]]));
     // Moments are for a mass of 1; 0 is infinite: a body that does not turn.
-    const moments = s.moments && !s.locked ? scaled(s.moments, size * size / s.mass) : zero;
-    if (motion === 'DYNAMIC') ok(H.HP_Body_SetMassProperties(body, [zero, s.mass, moments, noTurn]));
+    const moments = s.locked ? zero : scaled(s.moments ?? zero, size * size / s.mass);
+    if (s.mass) ok(H.HP_Body_SetMassProperties(body, [zero, s.mass, moments, noTurn]));
     ok(H.HP_Body_SetLinearDamping(body, 0));
     ok(H.HP_Body_SetAngularDamping(body, 0));
     ok(H.HP_Body_SetQTransform(body, [place(s.p), quat(s.q)]));
     if (s.role === 'body') ok(H.HP_Body_SetLinearVelocity(body, place(s.v))), ok(H.HP_Body_SetAngularVelocity(body, s.w));
     if (s.role === 'finger') ok(H.HP_Body_SetGravityFactor(body, 0));
-    const control = settings.sleep ? 'SIMULATION_CONTROLLED' : 'ALWAYS_ACTIVE';
     ok(H.HP_Body_SetActivationControl(body, H.ActivationControl[control]));
     ok(H.HP_World_AddBody(world, body, false));
     return body;
-  };
-  const motions = { fixed: 'STATIC', driven: 'KINEMATIC', finger: 'DYNAMIC', body: 'DYNAMIC' };
-  const bodies = solids.map((s) => create(s, motions[s.role], s.role === 'body' ? [1, 3] : [2, 1]));
-  const carriers = solids.map((s, i) => {
-    if (s.role !== 'finger') return null;
-    const carrier = create({ ...s, shape: { type: 'ball', radius: 0.001 }, role: '' }, 'KINEMATIC', [0, 0]);
+  });
+  solids.forEach((s, i) => {
+    if (s.role !== 'finger') return;
     const slider = ok(H.HP_Constraint_Create());
-    ok(H.HP_Constraint_SetParentBody(slider, carrier));
+    ok(H.HP_Constraint_SetParentBody(slider, bodies[s.carrier]));
     ok(H.HP_Constraint_SetChildBody(slider, bodies[i]));
     for (const side of ['Parent', 'Child']) ok(H[`HP_Constraint_SetAnchorIn${side}`](slider, zero, [0, 0, 1], [1, 0, 0]));
     for (const axis of ['LINEAR_Y', 'LINEAR_Z'])
       ok(H.HP_Constraint_SetAxisMode(slider, H.ConstraintAxis[axis], H.ConstraintAxisLimitMode.LOCKED));
     ok(H.HP_Constraint_SetEnabled(slider, true));
-    return carrier;
   });
 
   return {
-    drive: (i, from, to) => ok(H.HP_Body_SetTargetQTransform(carriers[i] ?? bodies[i], [place(to.p), quat(to.q)])),
+    drive: (i, from, to) => ok(H.HP_Body_SetTargetQTransform(bodies[i], [place(to.p), quat(to.q)])),
     push(i, force, torque) {
       const at = ok(H.HP_Body_GetPosition(bodies[i]));
       ok(H.HP_Body_ApplyImpulse(bodies[i], at, scaled(force, step * size)));

@@ -14,13 +14,9 @@ const zToX = fromZ([1, 0, 0]); // turns its capsules and sliders, which lie alon
 
 /** It is built for the web: it looks for a window, and must not see that this is node. */
 async function instantiate(module, folder) {
-  globalThis.window = globalThis;
-  globalThis.document = { currentScript: null };
-  const process = globalThis.process;
-  globalThis.process = undefined;
-  const P = await module.default({ wasmBinary: readFileSync(join(folder, 'physx-js-webidl.wasm')) });
-  globalThis.process = process;
-  return P;
+  const { process } = globalThis, wasmBinary = readFileSync(join(folder, 'physx-js-webidl.wasm'));
+  Object.assign(globalThis, { window: globalThis, document: { currentScript: null }, process: undefined });
+  return module.default({ wasmBinary }).finally(() => Object.assign(globalThis, { process }));
 }
 
 export async function start({ module, folder }, { gravity, step, solids, settings }) {
@@ -38,49 +34,44 @@ export async function start({ module, folder }, { gravity, step, solids, setting
   const scene = physics.createScene(desc);
   const flags = new P.PxShapeFlags(P.PxShapeFlagEnum.eSIMULATION_SHAPE);
 
-  const shapes = {
-    box: ({ half_extents: h }) => new P.PxBoxGeometry(...h),
-    ball: ({ radius }) => new P.PxSphereGeometry(radius),
-    capsule: ({ half_length, radius }) => new P.PxCapsuleGeometry(radius, half_length),
-  };
-  const create = (s, [what, touches] = [2, 1]) => {
-    const actor = s.role === 'fixed' ? physics.createRigidStatic(pose(s.p, s.q)) : physics.createRigidDynamic(pose(s.p, s.q));
-    const shape = physics.createShape(shapes[s.shape.type](s.shape), physics.createMaterial(...s.mu, 0), true, flags);
-    shape.setSimulationFilterData(new P.PxFilterData(what, touches, 0, 0));
-    shape.setContactOffset(settings.contactOffset);
-    if (s.shape.type === 'capsule') shape.setLocalPose(pose([0, 0, 0], zToX));
-    actor.attachShape(shape);
-    if (s.role === 'driven') actor.setRigidBodyFlag(P.PxRigidBodyFlagEnum.eKINEMATIC, true);
-    if (s.role === 'body' || s.role === 'finger') makeDynamic(actor, s);
-    scene.addActor(actor);
-    return actor;
-  };
+  const shapes = { box: ({ half_extents: h }) => new P.PxBoxGeometry(...h), ball: ({ radius }) => new P.PxSphereGeometry(radius),
+    capsule: ({ half_length, radius }) => new P.PxCapsuleGeometry(radius, half_length) };
   const makeDynamic = (actor, s) => {
     actor.setMass(s.mass);
     actor.setMassSpaceInertiaTensor(vec(s.locked ? [0, 0, 0] : s.moments));
-    actor.setLinearDamping(0), actor.setAngularDamping(0);
-    actor.setMaxLinearVelocity(1e6), actor.setMaxAngularVelocity(1e6);
+    actor.setLinearDamping(0), actor.setAngularDamping(0), actor.setMaxLinearVelocity(1e6), actor.setMaxAngularVelocity(1e6);
     actor.setSolverIterationCounts(settings.positionIterations, settings.velocityIterations);
     if (!settings.sleep) actor.setSleepThreshold(0), actor.setStabilizationThreshold(0);
     if (s.role === 'finger') return actor.setActorFlag(P.PxActorFlagEnum.eDISABLE_GRAVITY, true);
     actor.setLinearVelocity(vec(s.v)), actor.setAngularVelocity(vec(s.w));
   };
-  const bodies = solids.map((s) => create(s, s.role === 'body' ? [1, 3] : [2, 1]));
-  const carriers = solids.map((s, i) => {
-    if (s.role !== 'finger') return null;
-    const carrier = create({ ...s, role: 'driven', shape: { type: 'ball', radius: 0.001 } }, [0, 0]);
-    const slider = top.D6JointCreate(physics, carrier, pose([0, 0, 0], zToX), bodies[i], pose([0, 0, 0], zToX));
-    for (const axis of ['eX', 'eTWIST', 'eSWING1', 'eSWING2']) slider.setMotion(P.PxD6AxisEnum[axis], P.PxD6MotionEnum.eFREE);
-    return carrier;
+  const bodies = solids.map((s) => {
+    const actor = physics[s.role === 'fixed' ? 'createRigidStatic' : 'createRigidDynamic'](pose(s.p, s.q));
+    const shape = physics.createShape(shapes[s.shape.type](s.shape), physics.createMaterial(...s.mu, 0), true, flags);
+    const [what, touches] = s.ghost ? [0, 0] : s.role === 'body' ? [1, 3] : [2, 1];
+    shape.setSimulationFilterData(new P.PxFilterData(what, touches, 0, 0));
+    shape.setContactOffset(settings.contactOffset);
+    if (s.shape.type === 'capsule') shape.setLocalPose(pose([0, 0, 0], zToX));
+    actor.attachShape(shape);
+    if (s.role === 'driven') actor.setRigidBodyFlag(P.PxRigidBodyFlagEnum.eKINEMATIC, true);
+    if (s.mass) makeDynamic(actor, s);
+    scene.addActor(actor);
+    return actor;
+  });
+  solids.forEach((s, i) => {
+    if (s.role !== 'finger') return;
+    const end = pose([0, 0, 0], zToX), slider = top.D6JointCreate(physics, bodies[s.carrier], end, bodies[i], end);
+    for (const free of ['eX', 'eTWIST', 'eSWING1', 'eSWING2']) slider.setMotion(P.PxD6AxisEnum[free], P.PxD6MotionEnum.eFREE);
   });
 
   return {
-    drive: (i, from, to) => (carriers[i] ?? bodies[i]).setKinematicTarget(pose(to.p, to.q)),
+    drive: (i, from, to) => bodies[i].setKinematicTarget(pose(to.p, to.q)),
     push: (i, force, torque) => (bodies[i].addForce(vec(force)), bodies[i].addTorque(vec(torque))),
     step: () => (scene.simulate(step), scene.fetchResults(true)),
     state(i) {
       const { p, q } = bodies[i].getGlobalPose();
-      return { p: list(p), q: [q.w, q.x, q.y, q.z], v: list(bodies[i].getLinearVelocity()), w: list(bodies[i].getAngularVelocity()) };
+      return { p: list(p), q: [q.w, q.x, q.y, q.z], v: list(bodies[i].getLinearVelocity()),
+        w: list(bodies[i].getAngularVelocity()) };
     },
   };
 }

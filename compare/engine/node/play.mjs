@@ -7,8 +7,10 @@
 // the packages into build/engines. Exit code: 0 played; 4 not asked, with {"not_asked": "why"} as the last line.
 //
 // The engine gets solids, each with a pose of its own: the bodies, plates in place of planes, balls and capsules in place
-// of curved surfaces. A plate that presses is a body of the pressed body's mass on a slider along its normal, without
+// of curved surfaces. A plate that presses is a body of the pressed body's mass on a slider along its z axis, without
 // weight, pushed by N(t); the slider's carrier moves as the problem says. Forces are those of the step's beginning.
+// An adapter exports `about`, `settings` and start(package, scene), which returns drive(i, pose now, pose after the step),
+// push(i, force, torque), step() and state(i) of the solids by number.
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { dirname, join } from 'node:path';
@@ -71,6 +73,13 @@ function supportSolid(s, body) {
     press: s.normal_force, motion: s.motion, locked: true };
 }
 
+/** What a finger slides on: it moves as the finger's motion says, and touches nothing. */
+function carrierOf(finger, number) {
+  const { start, motion } = finger;
+  Object.assign(finger, { carrier: number, motion: undefined });
+  return { role: 'driven', ghost: true, shape: { type: 'ball', radius: 0.001 }, start, ...start, motion };
+}
+
 /** The pose of a solid that moves as sample k says: the motion is about the origin of W. */
 const moved = (solid, k) => {
   if (!solid.motion) return solid.start;
@@ -84,6 +93,7 @@ function sceneOf(problem, about, settings) {
   const [mu_s, mu_d] = [problem.supports[0]?.mu_static ?? 0, problem.supports[0]?.mu_dynamic ?? 0];
   require_(problem.supports.every((s) => s.mu_static === mu_s && s.mu_dynamic === mu_d), 'supports of different friction');
   require_(about.twoCoefficients || mu_s === mu_d, 'the engine has one coefficient of friction, the problem has two');
+  for (const finger of solids.filter((s) => s.role === 'finger')) solids.push(carrierOf(finger, solids.length));
   for (const s of solids) Object.assign(s, moved({ start: { p: s.p, q: s.q }, ...s }, 0), { mu: [mu_s, mu_d] });
   return { gravity: problem.gravity, step: problem.step, solids, settings };
 }

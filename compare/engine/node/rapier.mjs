@@ -36,23 +36,18 @@ export async function start({ module }, { gravity, step, solids, settings }) {
     const body = world.createRigidBody(desc);
     const collider = shapes[s.shape.type](s.shape).setDensity(0).setFriction(s.mu[0]).setRestitution(0);
     if (s.shape.type === 'capsule') collider.setRotation(quat(zToY));
-    world.createCollider(collider.setCollisionGroups(s.role === 'body' ? ofBodies : ofOthers), body);
+    world.createCollider(collider.setCollisionGroups(s.ghost ? 0 : s.role === 'body' ? ofBodies : ofOthers), body);
     return body;
   });
-  const carriers = solids.map((s, i) => {
-    if (s.role !== 'finger') return null;
-    const carrier = world.createRigidBody(
-      R.RigidBodyDesc.kinematicPositionBased().setTranslation(...s.p).setRotation(quat(s.q)));
-    const origin = vec([0, 0, 0]);
-    world.createImpulseJoint(R.JointData.prismatic(origin, origin, vec([0, 0, 1])), carrier, bodies[i], true);
-    return carrier;
+  const origin = vec([0, 0, 0]), slider = R.JointData.prismatic(origin, origin, vec([0, 0, 1]));
+  solids.forEach((s, i) => {
+    if (s.role === 'finger') world.createImpulseJoint(slider, bodies[s.carrier], bodies[i], true);
   });
 
   return {
     drive(i, from, to) {
-      const body = carriers[i] ?? bodies[i];
-      body.setNextKinematicTranslation(vec(to.p));
-      body.setNextKinematicRotation(quat(to.q));
+      bodies[i].setNextKinematicTranslation(vec(to.p));
+      bodies[i].setNextKinematicRotation(quat(to.q));
     },
     push(i, force, torque) {
       bodies[i].resetForces(true);
