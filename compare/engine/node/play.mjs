@@ -69,7 +69,7 @@ function supportSolid(s, body) {
   const q = fromZ(s.surface.normal ?? s.surface.axis ?? [0, 0, 1]);
   const p = type === 'plane' ? add(s.surface.p, turned(q, [0, 0, -plate[2]])) : s.surface.p;
   const role = s.normal_force ? 'finger' : s.motion ? 'driven' : 'fixed';
-  return { role, name: s.name, shape, start: { p, q }, p, q, mass: body.mass, axis: turned(q, [0, 0, 1]),
+  return { role, name: s.name, shape, start: { p, q }, p, q, mass: s.normal_force && body.mass, axis: turned(q, [0, 0, 1]),
     press: s.normal_force, motion: s.motion, locked: true };
 }
 
