@@ -4,7 +4,6 @@
 #include <iterator>
 #include <memory>
 #include <string>
-#include <utility>
 #include <variant>
 
 #include <CLI/CLI.hpp>
@@ -50,8 +49,8 @@ std::string name_of(const catalogue::Case& c, const catalogue::Run& run) {
 /// The same as the name of a folder.
 std::string folder_of(const catalogue::Case& c, const catalogue::Run& run) {
   std::string name = name_of(c, run);
-  for (char& c : name)
-    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '.' && c != '-') c = '_';
+  for (char& letter : name)
+    if (!std::isalnum(static_cast<unsigned char>(letter)) && letter != '.' && letter != '-') letter = '_';
   return name;
 }
 
@@ -78,10 +77,10 @@ void export_case(const ExportOptions& options) {
   }
 }
 
-std::pair<const catalogue::Case*, const catalogue::Run*> find_run(const std::string& name) {
+catalogue::Run find_run(const std::string& name) {
   for (const catalogue::Case& c : catalogue::all_cases())
     for (const catalogue::Run& run : c.runs)
-      if (name_of(c, run) == name) return {&c, &run};
+      if (name_of(c, run) == name) return run;
   throw InputError(fmt::format("problem '{}': is no run of the catalogue (export it again)", name));
 }
 
@@ -97,12 +96,12 @@ void judge_folder(const std::string& folder) {
   const Recording recording = read_recording(out);
   if (const std::string fault = compare::answer_fault(recording, asked); !fault.empty())
     throw InputError(fmt::format("{}: {} (play problem.json again)", (out / "frames.csv").string(), fault));
-  const auto [c, run] = find_run(asked.name);
+  const catalogue::Run run = find_run(asked.name);
   const compare::EngineInfo engine{.name = recording.engine, .levels = {Level::rigid}};
-  const Problem problem = run->problem();
+  const Problem problem = run.problem();
   fmt::print("{}, played by {}\n", asked.name,
              recording.engine.empty() ? "an engine without a name" : recording.engine);
-  for (const catalogue::Claim& claim : run->claims) {
+  for (const catalogue::Claim& claim : run.claims) {
     const std::string why = compare::why_not_asked(claim, engine);
     const compare::Judgement j = compare::judge(claim, engine, compare::measure(problem, recording, claim.measure));
     const std::string verdict = why.empty() ? fmt::format("{:.6g} {}, truth {:.6g}: {}", j.value, claim.unit,
