@@ -59,9 +59,6 @@ void check_velocity(const std::string& who, const Body& body) {
   if (body.mobility == Mobility::translation && turns) {
     reject(who + ": a body that only translates has no angular velocity (remove it, or set the mobility to free)");
   }
-  if (body.held_until > 0 && moves) {
-    reject(who + ": a held body starts at rest (remove the velocity, or set held_until to 0)");
-  }
 }
 
 }  // namespace

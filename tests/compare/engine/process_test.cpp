@@ -148,7 +148,7 @@ TEST_P(NpmEngine, StopsABlockWithinAStep) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, NpmEngine, ::testing::ValuesIn(npm_engine_names()),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& made) { return made.param; });
 
 }  // namespace
 }  // namespace handhold::compare::testing
