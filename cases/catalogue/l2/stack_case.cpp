@@ -70,8 +70,11 @@ Claim holds_claim(bool pair) {
 
 Claim slip_claim(const Stack& s, bool pair, double end) {
   const double after = end - onset(s), truth = pair ? upper_slip(s, end) : lower_slip(s, end);
-  // The change of the block's speed against the palm since the onset, and what an onset late by 2.5 steps leaves of it.
-  const double change = 0.5 * s.jerk * after * after;
+  // The spring's load is a step late, so that the lag is short by as much; the half step that a constant acceleration
+  // gains since the onset is the half step by which the palm's speed was late at it. What is left is an onset late by
+  // 2.5 steps, of second order since the acceleration does not jump.
+  constexpr double late = 2.5, step = 1.0 / 360;
+  const double lag = -(pair ? upper_start_speed(s) : lower_start_speed(s));
   return {.quantity = pair ? "slip of the upper block" : "slip of the lower block",
           .unit = "m",
           .truth = truth,
@@ -79,9 +82,10 @@ Claim slip_claim(const Stack& s, bool pair, double end) {
                          : "L2: the centre of mass has mu g; the upper spring swings about its load",
           .measure = {.kind = Measure::Kind::displacement, .axis = along, .at = end, .body = pair ? upper : lower},
           .controlled = absolute_controlled_limit(),
-          .stepped = {.per_step = (0.5 + 2.5) * change + 2.5 * 0.5 * s.jerk * onset(s) * onset(s) * 1e-2,
-                      .reason = "half a step of the speed that changed since the onset (R03), which is up to 2.5 steps "
-                                "late, and 1 % of the palm's speed for what swings before it"}};
+          .stepped = {.per_step = lag + 0.5 * s.jerk * late * late * step * after,
+                      .reason =
+                          "the lag of springs whose load is a step late, and an onset late by 2.5 steps: j (2.5 h)^2/2 "
+                          "of speed"}};
 }
 
 Run run(const std::string& name, const Stack& s, bool pair, double end) {
