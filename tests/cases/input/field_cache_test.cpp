@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "cases/geometry/shapes.hpp"
+#include "cases/input/mesh/fingerprint.hpp"
 #include "cases/model/byte_stream.hpp"
 #include "cases/model/input_error.hpp"
 #include "tests/cases/input/mesh_files.hpp"
