@@ -27,7 +27,7 @@ const std::vector<Variant>& variants() {
 
 Measure changed(Measure measure, const Change& change, Level level) {
   using Kind = Measure::Kind;
-  const bool axial = measure.kind == Kind::rotation || measure.kind == Kind::torque;
+  const bool axial = measure.kind == Kind::rotation || measure.kind == Kind::spin || measure.kind == Kind::torque;
   measure.axis = axial ? change.axial(measure.axis) : change.polar(measure.axis);
   measure.point = change.pose({Eigen::Quaterniond::Identity(), measure.point}, 0).p;
   measure.from_last = change.reversed;
