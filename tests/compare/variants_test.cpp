@@ -88,11 +88,11 @@ TEST(Variants, FollowThePlainRunsWithTheSameTruth) {
   for (const Case& c : all_cases()) {
     std::size_t plain = 0;
     while (plain < c.runs.size() && c.runs[plain].variant.empty()) ++plain;
-    ASSERT_EQ(c.runs.size(), c.level == Level::printed ? plain : 4 * plain) << c.id;
+    ASSERT_EQ(c.runs.size(), c.level == Level::printed ? plain : 2 * plain) << c.id;
     for (std::size_t i = plain; i < c.runs.size(); ++i) {
       const catalogue::Run &run = c.runs[i], &old = c.runs[i % plain];
       EXPECT_EQ(run.name, old.name);
-      EXPECT_EQ(run.variant, i < 2 * plain ? "turned" : i < 3 * plain ? "mirrored" : "reordered");
+      EXPECT_EQ(run.variant, "turned, mirrored, reordered");
       EXPECT_FALSE(run.curve);
       ASSERT_EQ(run.claims.size(), old.claims.size());
       for (std::size_t k = 0; k < run.claims.size(); ++k) EXPECT_EQ(run.claims[k].truth, old.claims[k].truth);
