@@ -16,7 +16,7 @@ struct PlaneSlide {
 /// a(t, x, u) [m/s²].
 using SlideDrive = std::function<Eigen::Vector2d(double t, const Eigen::Vector2d& x, const Eigen::Vector2d& u)>;
 
-/// At `end`, from rest at `begin`, sliding first along `direction` (unit; it is that of a − c û then). By Runge and
+/// At `end`, from rest at `begin`, sliding first along `direction` (unit, that of a there; |a| > c). By Runge and
 /// Kutta's fixed steps of a microsecond: pedigree converged. Valid up to the stop.
 [[nodiscard]] PlaneSlide slide_from_rest(const SlideDrive& drive, double deceleration, double begin,
                                          const Eigen::Vector2d& direction, double end);

@@ -45,8 +45,8 @@ struct SpunPalm {
 /// acceleration (−ω² R, α R) of that place: atan2(−α, ω²) [rad].
 [[nodiscard]] double slip_direction(const SpunPalm& p);
 
-/// Where a slide with μ_d has led at t >= slip_onset, and its velocity, in W; the object started at (R, 0). Integrated
-/// in the palm's frame (plane_slide.hpp): pedigree converged.
+/// Where a slide with μ_d < μ_s (else it begins in no direction) has led at t >= slip_onset, and its velocity, in W;
+/// the object started at (R, 0). Integrated in the palm's frame (plane_slide.hpp): pedigree converged.
 struct SpunPlace {
   Eigen::Vector2d p{}, v{};  ///< [m], [m/s]
 };

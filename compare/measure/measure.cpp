@@ -48,7 +48,9 @@ Against against(const Scene& scene, const Measure& what) {
 }
 
 Against against(const RigidProblem& problem, const Measure& what) {
-  return {.surface = problem.supports.empty() ? RigidPath() : pick(problem.supports, what).motion};
+  if (problem.supports.empty()) return {};
+  const RigidSupport& support = pick(problem.supports, what);
+  return {.surface = support.turn ? RigidPath() : support.motion};  // where a turning one has its origin is arbitrary
 }
 
 /// How many samples the patch has that `what` chooses one of.

@@ -154,7 +154,7 @@ Case spun_palm() {
           .title = "Palm that is spun up",
           .statement = "A block lies off the axis of a level palm that turns faster and faster.",
           .formula = "t_s = [((mu_s g / (R alpha))^2 - 1) / alpha^2]^(1/4)",
-          .runs = {spins_up("8 rad/s2", {0.1, 8, g, 0.4}, 0.4), spins_up("20 rad/s2", {0.15, 20, g, 0.5}, 0.35)}};
+          .runs = {spins_up("8 rad/s2", {0.1, 8, g, 0.4}, 0.3), spins_up("20 rad/s2", {0.15, 20, g, 0.5}, 0.35)}};
 }
 
 }  // namespace
