@@ -17,7 +17,7 @@ RigidBody make_rigid_body(const Body& body) {
   rigid.X_WO = body.X_WO;
   const Eigen::AlignedBox3d bounds = body.field->bounds();
   rigid.radius = (bounds.max() - rigid.center_O).cwiseAbs().cwiseMax((bounds.min() - rigid.center_O).cwiseAbs()).norm();
-  if (body.mobility == Mobility::fixed || body.held_until > 0) return rigid;
+  if (body.mobility == Mobility::fixed) return rigid;
   if (body.mobility == Mobility::free) rigid.w = body.V_WO.w;
   rigid.v = body.V_WO.v + rigid.w.cross(rigid.center() - rigid.X_WO.p);
   return rigid;

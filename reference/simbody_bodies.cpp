@@ -40,7 +40,6 @@ void Bodies::set_start(SimTK::State& state) const {
   }
   for (const Moving& m : moving_) {
     const Body& body = scene_.bodies[std::size_t(m.body)];
-    if (body.held_until > 0) continue;  // at rest
     m.mobilized.setUToFitVelocity(state, SimTK::SpatialVec(to_simbody(body.V_WO.w), to_simbody(body.V_WO.v)));
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include "cases/model/input_error.hpp"
 #include "cases/model/mass_properties.hpp"
 #include "cases/model/voxel_file.hpp"
 #include "realtime/handhold.h"

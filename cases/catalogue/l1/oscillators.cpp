@@ -2,6 +2,7 @@
 
 #include "cases/closed_form/oscillators.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -62,7 +63,9 @@ Run decays(const std::string& name, const exact::FrictionOscillator& o) {
   std::vector<RigidClaim> claims{from_the_start("slip onset", EventKind::breakaway)};
   for (int j = 1; j <= n; ++j) {
     const double x = exact::turning_point(o, j);
-    const double rate = o.stiffness * std::abs(x) / o.mass + o.friction.mu_dynamic * o.gravity;
+    // An error of the place swings into a speed of w times it, which shifts the stop.
+    const double rate = (o.stiffness * std::abs(x) / o.mass + o.friction.mu_dynamic * o.gravity) /
+                        std::max(1.0, std::sqrt(o.stiffness / o.mass));
     claims.push_back(event_time(fmt::format("stop {}", j), EventKind::restick, j, exact::stop_time(o) * j / n, rate));
     claims.push_back(way_at(fmt::format("way to stop {}", j), x_axis, EventKind::restick, j, x - o.start));
   }
@@ -132,8 +135,10 @@ Case forced_oscillator() {
 Run on_belt(const std::string& name, const exact::BeltOscillator& b) {
   const double stick = exact::stick_time(b), period = stick + exact::slip_time(b), start = exact::restick_position(b);
   const double swing = exact::greatest_position(b) - exact::least_position(b);
-  const double onset_rate = b.stiffness * b.speed / b.mass;
-  const double stop_rate = (b.friction.mu_static - b.friction.mu_dynamic) * b.gravity;
+  // An error of the place swings into a speed of w times it, which shifts the stop, and with it the next onset.
+  const double stop_rate =
+      (b.friction.mu_static - b.friction.mu_dynamic) * b.gravity / std::max(1.0, std::sqrt(b.stiffness / b.mass));
+  const double onset_rate = 1 / (1 / stop_rate + b.mass / (b.stiffness * b.speed));
   std::vector<RigidClaim> claims;
   for (int k = 0; k < 3; ++k) {
     const std::string n = fmt::format(" {}", k + 1);

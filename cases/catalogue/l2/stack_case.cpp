@@ -44,13 +44,16 @@ Limit onset_limit() {
 }
 
 Claim onset_claim(const Stack& s, bool pair) {
-  Claim claim{.quantity = "onset",
-              .unit = "s",
-              .truth = onset(s),
-              .source = "L1 = L2: mu g/j",
-              .measure = {.kind = Measure::Kind::event_time, .event = EventKind::breakaway, .body = lower},
-              .controlled = controlled_limit(10, "the cone is reached with m j/N a second"),
-              .stepped = onset_limit()};
+  Claim claim{
+      .quantity = "onset",
+      .unit = "s",
+      .truth = onset(s),
+      .source = "L1 = L2: mu g/j",
+      .measure = {.kind = Measure::Kind::event_time, .event = EventKind::breakaway, .body = lower},
+      .controlled = absolute_controlled_limit(
+          1 + (pair ? s.stiffness_pair / s.mass_upper : s.stiffness_palm / (s.mass_lower + s.mass_upper)) / s.jerk,
+          "K times that of places, over the m j a second with which the load grows"),
+      .stepped = onset_limit()};
   if (pair) claim.measure.owner = upper;
   if (!pair) claim.measure.phalanx = palm;
   return claim;
