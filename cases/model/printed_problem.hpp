@@ -84,7 +84,7 @@ struct PrintedProblem {
   printed::HostOptions host{};
   printed::Shape shape{};
   Friction friction{};
-  Inertia inertia{.mass = 1};  ///< not asked of a fixed body; its tensor of a free one only
+  Inertia inertia{1};  ///< not asked of a fixed body; its tensor of a free one only
   Mobility mobility{Mobility::free};
   Pose X_WO{};                           ///< at t = 0
   Twist V_WO{};                          ///< at t = 0
