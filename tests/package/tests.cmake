@@ -59,6 +59,7 @@ add_test(NAME package.exports COMMAND ${CMAKE_COMMAND}
 set_tests_properties(package.exports PROPERTIES LABELS package FIXTURES_REQUIRED alone)
 
 add_test(NAME layering COMMAND ${CMAKE_COMMAND} "-DROOT=${PROJECT_SOURCE_DIR}" -P "${CMAKE_CURRENT_SOURCE_DIR}/check_layering.cmake")
+add_test(NAME licences COMMAND ${CMAKE_COMMAND} "-DROOT=${PROJECT_SOURCE_DIR}" -P "${CMAKE_CURRENT_SOURCE_DIR}/check_licences.cmake")
 add_test(NAME layering.check_can_fail COMMAND ${CMAKE_COMMAND} "-DSCRATCH=${CMAKE_CURRENT_BINARY_DIR}/layering"
   -P "${CMAKE_CURRENT_SOURCE_DIR}/check_layering_test.cmake")
 
