@@ -34,7 +34,7 @@ Run leaves_and_lands(const std::string& name, const exact::PalmLift& l) {
       event_count(EventKind::touch, 1),
       dissipated(end, mass * v * v / 2),
       energy_balance(0.2)};
-  const bool stays = l.amplitude * w * w * std::sin(w * on) < g;  // else the palm drops away from it at once
+  const bool stays = l.amplitude * w * w * std::sin(w * end) < g;  // else the palm drops away from it again
   claims.push_back(event_count(EventKind::release, stays ? 1 : 2));
   claims.push_back(mode(0, end, stays ? Mode::stick : Mode::apart));
   claims[2].claim.scale = l.amplitude;

@@ -187,8 +187,8 @@ TEST_F(SceneBuild, AHandThatIsNeverPresent) {
   expect_refused(box + "mass = 1\n[[hands]]\ntrace = 'left.csv'\nstart = 30\n", {"s.toml: scene 's'", "never present"});
 }
 
-TEST_F(SceneBuild, AVelocityThatTheSupportForbids) {
-  expect_refused(box + "mass = 1\nvelocity = [1, 0, 0]\nheld_until = 1\n", {"s.toml: scene 's'", "at rest"});
+TEST_F(SceneBuild, AVelocityOfWhatIsFixed) {
+  expect_refused(box + "mobility = \"fixed\"\nvelocity = [1, 0, 0]\n", {"s.toml: scene 's'", "no velocity"});
 }
 
 TEST(MovedTrace, LeavesTheBitsWhenNothingMoves) {

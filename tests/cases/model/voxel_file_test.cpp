@@ -75,7 +75,8 @@ void expect_safe(const std::string& bytes) {
 
 TEST(VoxelFile, GivesBackWhatItWasGiven) {
   const std::vector<Vector3d> samples = surface_samples(make_box(size), 0.04);
-  const VoxelField::Data& given = box()->data();
+  const std::shared_ptr<const VoxelField> field = box();
+  const VoxelField::Data& given = field->data();
   const VoxelFile file = unpack_voxels(pack_voxels(*box(), samples), "X.hhvox");
   const VoxelField::Data& read = file.field->data();
   EXPECT_EQ(read.mesh.vertices, given.mesh.vertices);
@@ -102,7 +103,8 @@ TEST(VoxelFile, IsLaidOutAsDocumented) {
   EXPECT_EQ(value<std::uint32_t>(bytes, checksum_at), crc32(bytes.substr(content_at)));
   EXPECT_EQ(value<double>(bytes, spacing_at), 0.004);
   EXPECT_EQ(value<double>(bytes, band_at), 0.008);
-  const VoxelField::Data& data = box()->data();
+  const std::shared_ptr<const VoxelField> field = box();
+  const VoxelField::Data& data = field->data();
   EXPECT_EQ(value<double>(bytes, content_at), data.grid.origin.x());
   EXPECT_EQ(value<std::int32_t>(bytes, nodes_at + 8), data.grid.size.z());
   EXPECT_EQ(value<double>(bytes, cell_size_at), data.cell_size);
