@@ -12,9 +12,10 @@ using Eigen::Matrix2d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double N = 2, mu_d = 0.2;
+constexpr double N = 2, mu_d = 0.2, radius = 0.01;
+const Vector3d arm(0.06, 0.03, -0.05);  // from the centre of mass to the contact, under a ball
 
-/// A body without gravity, pressed on a foot far off its centre, is pulled sideways harder than static friction allows.
+/// A body without gravity, pressed on a ball far off its centre, is pulled sideways harder than static friction allows.
 RigidProblem problem() {
   RigidProblem p;
   p.mass = 1;
@@ -24,16 +25,16 @@ RigidProblem problem() {
   p.supports = {{.surface = make_plane({0, 0, 0}, Vector3d::UnitZ()),
                  .normal_force = [](double) { return N; },
                  .friction = {0.5, mu_d},
-                 .point_B = {0.06, 0.03, -0.05}}};
-  p.X_WB.p = {-0.06, -0.03, 0.05};
+                 .point_B = arm + radius * Vector3d::UnitZ(),
+                 .radius = radius}};
+  p.X_WB.p = -arm;
   p.load = [](double, const BodyState&) -> Load { return {.force_W = {5, 2, 0}}; };
   return p;
 }
 
 /// Acceleration of the foot by a force at the foot, and by one at the centre.
 Vector3d foot_by(const RigidProblem& p, const Vector3d& at_foot, const Vector3d& at_center) {
-  const Vector3d r = p.supports[0].point_B;
-  return (at_foot + at_center) / p.mass + (p.inertia.inverse() * r.cross(at_foot)).cross(r);
+  return (at_foot + at_center) / p.mass + (p.inertia.inverse() * arm.cross(at_foot)).cross(arm);
 }
 
 /// The angle at which the foot's acceleration is along the sliding d that friction −mu_d N d resists: by bisection of
