@@ -1,5 +1,6 @@
 #include "cases/model/recording.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace handhold {
@@ -48,7 +49,8 @@ double energy_residual(const Recording& recording) {
   double worst = 0;
   for (const Frame& frame : recording.frames) {
     const double change = std::abs(energy_sum(frame.energy) - energy_sum(recording.frames.front().energy));
-    if (!(change <= worst)) worst = change;  // NaN stays
+    if (std::isnan(change)) return change;  // never hidden by a maximum
+    worst = std::max(worst, change);
   }
   return worst;
 }

@@ -86,9 +86,10 @@ TEST(BlockField, IsSharedByThoseWhoAskForTheSame) {
 
 TEST(Variants, FollowThePlainRunsWithTheSameTruth) {
   for (const Case& c : all_cases()) {
+    if (c.level == Level::printed) continue;  // its voxels and rays have no other look
     std::size_t plain = 0;
     while (plain < c.runs.size() && c.runs[plain].variant.empty()) ++plain;
-    ASSERT_EQ(c.runs.size(), c.level == Level::printed ? plain : 2 * plain) << c.id;
+    ASSERT_EQ(c.runs.size(), 2 * plain) << c.id;
     for (std::size_t i = plain; i < c.runs.size(); ++i) {
       const catalogue::Run &run = c.runs[i], &old = c.runs[i % plain];
       EXPECT_EQ(run.name, old.name);

@@ -178,9 +178,12 @@ Scene changed(const Scene& scene, const Change& change) {
     contact->stiffness *= M / L;
     contact->damping *= M / T;
   }
+  // Of patches that are seeded; where all are given it says nothing, and may not leave its range.
+  const auto seeded = [](const Hand& hand) { return hand.given.empty(); };
   PatchOptions& patch = made.patch;
-  for (double* length : {&patch.finger_radius, &patch.thumb_radius, &patch.palm_radius, &patch.contact_offset})
-    *length *= L;
+  if (std::any_of(scene.hands.begin(), scene.hands.end(), seeded))
+    for (double* length : {&patch.finger_radius, &patch.thumb_radius, &patch.palm_radius, &patch.contact_offset})
+      *length *= L;
   std::map<const VoxelField*, std::shared_ptr<const VoxelField>> fields;  // bodies of one shape share them
   for (Body& body : made.bodies) {
     std::shared_ptr<const VoxelField>& field = fields[body.field.get()];
