@@ -13,6 +13,7 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double longest_step = 1e-3;     // of the rigid engine's default options [s]
+constexpr double least_advance = 1e-12;   // an event at the very beginning of a step is found this much later [s]
 constexpr double event_noise = 1e-10;     // what is cleared away at an event [m, m/s]
 constexpr double rounding = 8 * epsilon;  // of a truth and a measured number, relative: a few operations each
 constexpr const char* not_derived = "no stepped engine plays L1: its limits are not derived here";
@@ -30,7 +31,8 @@ RigidClaim yes_or_no(RigidClaim claim) {
 
 Limit controlled_limit(const RigidClaim& c, const StateError& error) {
   if (c.sensitivity == 0) return exact_limit();
-  return {.value = c.sensitivity * error.value + rounding * std::abs(c.claim.truth),
+  const double late = c.claim.measure.kind == Measure::Kind::event_time ? least_advance : 0;
+  return {.value = c.sensitivity * error.value + rounding * std::abs(c.claim.truth) + late,
           .per_accuracy = c.sensitivity * error.per_accuracy,
           .reason = error.why + (c.why.empty() ? "" : "; " + c.why)};
 }
