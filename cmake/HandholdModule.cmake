@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # handhold_module(<name> SOURCES <file>... [PUBLIC <target>...] [PRIVATE <target>...] [SHAREABLE])
 #
 # Declares the static library handhold::<name>; SHAREABLE: its objects may become part of a shared one. Headers lie beside the sources and are included from the repository's root

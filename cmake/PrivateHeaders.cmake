@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Headers that show a package (Simbody, CGAL, json, ...). They serve the sources of their own folder, are not installed, and no
 # public header includes them: tests/check_layering.cmake keeps it so. A regular expression of paths from the repository's root.
 set(private_headers

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "realtime/world.hpp"
 
 // Events, energy, and what a world tells about its samples.

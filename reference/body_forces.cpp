@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/body_forces.hpp"
 
 #include <Eigen/Geometry>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What happens to contacts at events: the discrete half of Contacts.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/surface.hpp"
 
 #include "reference/mesh_surface.hpp"

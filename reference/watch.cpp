@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What is not in contact, but may come to be: the witnesses of apart samples and of patches.
 
 #include <algorithm>

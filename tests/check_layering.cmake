@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Fails when a file includes a folder or a package that it may not see.
 #   cmake -DROOT=<repository> -P check_layering.cmake
 cmake_minimum_required(VERSION 3.25)

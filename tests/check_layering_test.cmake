@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The check of the layers must itself be able to fail: plants one wrong include after another in a scratch folder.
 #   cmake -DSCRATCH=<empty folder> -P check_layering_test.cmake
 cmake_minimum_required(VERSION 3.25)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Fails when a source file does not say its licence in its first two lines, or says another than its folder's.
 #   cmake -DROOT=<repository> -P check_licences.cmake
 cmake_minimum_required(VERSION 3.25)

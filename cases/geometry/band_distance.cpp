@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Every node of the band is measured against the few features it may be nearest to (Mauch 2000, "characteristics"):
 // faces reach straight out over themselves, edges over the wedge between their faces' normals, corners over the cone
 // between their edges. These regions cover space without much overlap, so that the cost does not grow with triangles

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // make_mug, in its own file: its handle needs more than a loft.
 #include <algorithm>
 #include <cmath>

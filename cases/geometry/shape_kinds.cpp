@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // shape_kinds and make_shape: shapes by name, for scene files and the command line.
 #include <cmath>
 #include <functional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "cases/hand/moved_trace.hpp"
 
 namespace handhold {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "cases/model/rigid_problem.hpp"
 
 #include <cmath>

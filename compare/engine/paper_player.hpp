@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 // Serves the engines that are the paper's middleware in front of its host: `paper` (L3) and `paper-coulomb` (L2).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The settings found for each engine by the sweeps of docs/benchmarks.md.
 
 #include "compare/peers/peer.hpp"

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """An engine for handhold: a body that translates on one plane, moving or not, with Coulomb friction. Plays with
 
     handhold suite --level L1 --engine "mine=python3 docs/examples/block_engine.py {problem} {out}"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "realtime/detection/body_pairs.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The benchmark program: docs/benchmarks.md says what it measures and how to read it.
 
 #include <algorithm>

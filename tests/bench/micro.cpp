@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What one frame of the real-time path costs, against one quantity at a time (Google Benchmark).
 
 #include <string>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Runs EXPECTED and PROGRAM; fails at the first line in which their outputs part.
 foreach(name EXPECTED PROGRAM)
   execute_process(COMMAND "${${name}}" OUTPUT_VARIABLE ${name}_output RESULT_VARIABLE status)

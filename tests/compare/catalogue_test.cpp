@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The catalogue through the real engines: what `handhold suite` shows is what is asserted here.
 #include <algorithm>
 #include <iostream>

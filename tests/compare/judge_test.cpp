@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What guards the judge itself: which limit applies, what an error is, what a suite must have run.
 #include <algorithm>
 #include <cmath>

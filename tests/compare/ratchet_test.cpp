@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Suites rot in silence: a case that is gone, a run that is not asked, a limit that grew. What there is stands in
 // ratchet.txt, a line a case; who changes it rewrites that file (HANDHOLD_RATCHET=write compare_test
 // --gtest_filter='Ratchet*:*EveryGateHolds*') and shows the difference.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Every rigid case at other accuracies than the suite's: the limits say how errors follow the accuracy, and must hold.
 #include <algorithm>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the suite asks of engines, and how it is stopped within a run.
 #include <gtest/gtest.h>
 

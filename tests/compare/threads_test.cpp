@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The suite in one thread and in several: the same numbers, in the same order.
 #include <cmath>
 #include <memory>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What it takes to bring an engine of one's own: a class with two functions. The suite judges it by the line of all
 // others.
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Variants of runs, and what a change does to what is not simulated here.
 #include "cases/catalogue/builders/variants.hpp"
 

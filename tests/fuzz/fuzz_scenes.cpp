@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // fuzz_scenes [seconds] [seed]: random scenes through the reference. A valid one gives a recording of finite numbers
 // whose energy book closes, whatever its outcome; a spoiled one gives an InputError of one line. Prints the seed of the
 // first that does not, and exits with 1; `fuzz_scenes 0 SEED` runs that one alone.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The real-time path stays free of every package but Eigen (which is headers only).
 #   cmake -DPROGRAM=<linked program> -DARCHIVES=<a.a;b.a> -P check_links.cmake
 cmake_minimum_required(VERSION 3.25)

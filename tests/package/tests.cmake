@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Tests of what somebody else's project gets: the installed package, and the real-time path built and installed alone, with
 # Eigen and a compiler.
 set(prefix "${PROJECT_BINARY_DIR}/prefix")

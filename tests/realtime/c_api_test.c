@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A program in C that uses the C interface alone: a cube of its own voxels, pushed by one fingertip. */
 #include <math.h>
 #include <stdio.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The sums and forces of sticking patches, which the kernel takes from moments two patches at a time, against the same
 // sample by sample, straight from the element's law (docs/contact-law.md). The numbers are arbitrary: 1 rad, 1 m,
 // 1 m/s, so that no term is small. Tolerance: 1e-12 of the sum of the terms' sizes, some thousand roundings.

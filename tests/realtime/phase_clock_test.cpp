@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Watching a world changes nothing of it, and every phase is told of.
 
 #include <chrono>

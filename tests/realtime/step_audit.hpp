@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 // Audits every sub-step of a World from the outside: from the states and forces it shows before and after, with the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The same scene gives the same bits: again, in threads side by side, and whatever the order its patches are named in.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The exact triangles: what they are, how anchors go over edges, and what the voxels' spline differs by.
 
 #include "reference/mesh_surface.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A cube on a palm that lies still: closed forms of one degree of freedom.
 
 #include <cmath>

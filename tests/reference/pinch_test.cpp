@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Patches that pinch or spin a cube: closed forms with several samples and rotation.
 
 #include <algorithm>

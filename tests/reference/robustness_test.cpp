@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Odd scenes and wrong ones. (Starting outside the cone, touching while sliding, no friction, no gravity: palm_test.)
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 // Scenes with closed forms. Edges and voxels are powers of two, so that the float distances of flat faces are exact;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Bodies that touch bodies: closed forms, conservation laws, the energy book.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The program itself, as a user runs it: exit codes, one line of error, files written.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One failed gate shows in every output: none says that all is well.
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

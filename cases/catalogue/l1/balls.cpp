@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A ball slides and rolls: L1-E01 to E07.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A small object slides on curved faces: L1-C14 to C16.
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A body flies, lands or tumbles: L1-A01 to A03, B02.
 
 #include <cmath>

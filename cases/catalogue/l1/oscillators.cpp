@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A block on a table, driven to and fro: L1-C05 to C09.
 
 #include "cases/closed_form/oscillators.hpp"

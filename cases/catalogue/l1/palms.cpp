@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A body lies on a palm that lifts, tilts or turns: L1-C11, C12, D13.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A body held by fingers that press: L1-D01 to D04, D06.
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A block slides on a plane: L1-C01 to C04, C20.
 
 #include <cmath>

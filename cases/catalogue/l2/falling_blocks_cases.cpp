@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // H03 to H06: bodies that come to each other through the air.
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // G03, G12: one contact moved by the hand on an object that stays, so that nothing but the element answers.
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "cases/catalogue/l2/normal_shake_scene.hpp"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // C06, C07 and C08: a block on a palm, tied by the spring that two opposite fingers make.
 #include <numbers>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // H07, H08: a finger slides round a cylinder and a sphere.
 
 #include <algorithm>

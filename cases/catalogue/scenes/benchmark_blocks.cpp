@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // S3 and S4: blocks that slide, and blocks that stand.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // S1, S2, S6: an object that is gripped, lifted, held and shaken.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // S5: a cube that swings between two opposite fingertips.
 
 #include <cmath>

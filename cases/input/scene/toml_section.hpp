@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 // Serves scene_file.cpp only: shows toml++, which public headers do not.

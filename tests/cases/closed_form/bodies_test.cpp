@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Every formula of bodies.hpp against the law itself, integrated in small steps or put into vectors.
 #include "cases/closed_form/bodies.hpp"
 

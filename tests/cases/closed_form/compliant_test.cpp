@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Springs without slip: held cube (G10), tray (G07), shaken pinch (G11), pendulum; and the Jenkins loop (G03, G12).
 // Figures "of the catalogue" were computed by another program and are copied with their id.
 #include <algorithm>

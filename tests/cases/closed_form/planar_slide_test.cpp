@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The planar equation of motion (F03, F04) against closed forms of its special cases.
 #include "cases/closed_form/planar_slide.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Rings of samples: pursuit, twisted ring (G08), spin stop (G09), limit load (F02). Figures "of the catalogue" were
 // computed by another program and are copied with their id.
 #include <algorithm>

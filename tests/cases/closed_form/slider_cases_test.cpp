@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The slider oscillator with the parameters of cases G01, G02, G04 and G05, against the catalogue's figures (computed
 // by another program, copied with their id and set).
 #include <algorithm>

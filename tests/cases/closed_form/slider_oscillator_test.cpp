@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "cases/closed_form/slider_oscillator.hpp"
 
 #include <cmath>

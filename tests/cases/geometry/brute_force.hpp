@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 // Independent, slow answers for the geometry tests: every triangle, in long double, by other formulae than the

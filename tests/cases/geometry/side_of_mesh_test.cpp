@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The rasteriser against CGAL's Side_of_triangle_mesh: the sign of every voxel must agree, off the surface.
 #include <filesystem>
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A hand of a real recording, word for word: a left hand of a headset's emulator, about to pinch. Expected places are
 // read off the recording by eye, not through our table of joints.
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "cases/input/scene/scene_file.hpp"
 
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "cases/model/rigid_surface.hpp"
 
 #include <gtest/gtest.h>

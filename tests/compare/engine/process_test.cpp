@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a foreign process can do wrong, each told in a sentence.
 #include "compare/engine/process.hpp"
 

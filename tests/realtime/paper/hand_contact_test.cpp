@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "realtime/paper/hand_contact.hpp"
 
 #include "tests/realtime/paper/rig.hpp"

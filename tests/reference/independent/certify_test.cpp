@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The reference against an independent solver, on every certification scene (catalogue/scenes/certification_scenes).
 //
 // Independent in full where faces are flat: they are analytic planes here and a spline of voxels there. On the ball

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The order of integration. The options offer no fixed step, but an accuracy so loose that it never asks for less than
 // max_step makes the steps constant: the run then takes exactly duration / max_step of them, which is checked, and
 // frames, at which a step must end, are only at both ends. Error against the independent solver.

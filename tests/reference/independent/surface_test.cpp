@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The independent solver's own spline: against the exact sphere whose distances it was given, and its derivatives
 // against differences of itself.
 

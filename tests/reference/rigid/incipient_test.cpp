@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Which way a contact begins to slide, where friction and motion are askew: a foot off the centre of mass.
 #include <cmath>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What cannot be simulated is refused with a reason, or recorded as such; the same run gives the same bits.
 
 #include <cmath>

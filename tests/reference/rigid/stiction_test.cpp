@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Stiction is exact: what sticks does not creep. The closed forms of rigid friction are cases of the catalogue.
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A free body without contacts in the compliant reference (reference::simulate): its rotation against closed forms.
 
 #include "cases/closed_form/tops.hpp"
