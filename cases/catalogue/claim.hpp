@@ -49,10 +49,11 @@ struct Measure {
   Eigen::Vector3d axis{Eigen::Vector3d::UnitX()};  ///< unit, in W
   std::optional<double> at{};                      ///< the instant [s]; nothing: the instant of the event
   double level{};
-  int body{0};                  ///< what is measured, and what the samples of events and forces touch
-  int phalanx{-1}, sample{-1};  ///< of what is read off contacts: -1 stands for all; a rigid problem's support is its `phalanx`
-  int owner{-1};                ///< >= 0: only samples of that body's own surface
-  bool from_last{false};        ///< bodies, hands, patches, samples and supports are counted from the last one on
+  int body{0};  ///< what is measured, and what the samples of events and forces touch
+  int phalanx{-1},
+      sample{-1};  ///< of what is read off contacts: -1 stands for all; a rigid problem's support is its `phalanx`
+  int owner{-1};   ///< >= 0: only samples of that body's own surface
+  bool from_last{false};  ///< bodies, hands, patches, samples and supports are counted from the last one on
   Eigen::Vector3d point{Eigen::Vector3d::Zero()};  ///< in W [m]
   std::optional<double> from{};                    ///< where a sum over frames begins [s]; nothing: at `at`
   std::optional<Mode> mode{};

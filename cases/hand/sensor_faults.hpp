@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "cases/model/hand_motion.hpp"
 #include "cases/hand/trace.hpp"
+#include "cases/model/hand_motion.hpp"
 
 namespace handhold {
 

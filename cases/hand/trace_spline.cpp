@@ -108,7 +108,7 @@ struct TraceSpline::Splines {
 };
 
 void TraceSpline::Splines::add_stretch(const Trace& trace, const std::vector<HandSample>& samples,
-                                      const std::vector<std::size_t>& frames) {
+                                       const std::vector<std::size_t>& frames) {
   if (frames.size() < 2) return;  // one sample alone moves nothing
   Stretch stretch;
   for (const std::size_t i : frames) stretch.knots.push_back(trace.t[i]);

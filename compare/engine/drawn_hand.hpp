@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "cases/model/hand_motion.hpp"
 #include "cases/hand/trace.hpp"
+#include "cases/model/hand_motion.hpp"
 #include "cases/model/recording.hpp"
 #include "cases/model/scene.hpp"
 

@@ -21,11 +21,10 @@ struct Entry {
 /// An engine joins with one line here and a file of its own.
 constexpr std::array registry{
 #ifdef HANDHOLD_REFERENCE
-    Entry{"reference", make_reference_engine},     Entry{"rigid", make_rigid_engine},
+    Entry{"reference", make_reference_engine},         Entry{"rigid", make_rigid_engine},
 #endif
-    Entry{"realtime", make_realtime_engine},       Entry{"kinematic-grasp", make_kinematic_grasp_engine},
-    Entry{"pinch-state", make_pinch_state_engine},
-    Entry{"paper", make_paper_engine},
+    Entry{"realtime", make_realtime_engine},           Entry{"kinematic-grasp", make_kinematic_grasp_engine},
+    Entry{"pinch-state", make_pinch_state_engine},     Entry{"paper", make_paper_engine},
     Entry{"paper-coulomb", make_paper_coulomb_engine},
 };
 

@@ -11,7 +11,8 @@ namespace handhold::compare {
 ///
 /// Between frames, positions are interpolated by the cubic through both frames' poses and velocities (exact for
 /// constant acceleration); at an event, the state that the event carries is taken. What the body is measured against
-/// comes from the problem: the phalanx of the first given patch, the first support of a rigid problem (W, if that turns).
+/// comes from the problem: the phalanx of the first given patch, the first support of a rigid problem (W, if that
+/// turns).
 [[nodiscard]] double measure(const Problem& problem, const Recording& recording, const catalogue::Measure& what);
 
 }  // namespace handhold::compare

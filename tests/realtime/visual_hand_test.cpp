@@ -12,8 +12,8 @@
 
 #include "cases/geometry/shapes.hpp"
 #include "cases/geometry/voxelizer.hpp"
-#include "cases/hand/trace_spline.hpp"
 #include "cases/hand/placement.hpp"
+#include "cases/hand/trace_spline.hpp"
 #include "cases/input/trace/trace_reader.hpp"
 #include "cases/model/input_error.hpp"
 #include "cases/model/patch.hpp"

@@ -9,10 +9,10 @@
 #include <memory>
 #include <vector>
 
-#include "cases/hand/trace_spline.hpp"
 #include "cases/geometry/shapes.hpp"
 #include "cases/geometry/voxelizer.hpp"
 #include "cases/hand/trace_builder.hpp"
+#include "cases/hand/trace_spline.hpp"
 #include "reference/reference.hpp"
 
 namespace handhold::reference::testing {

@@ -9,11 +9,11 @@
 
 #include <fmt/format.h>
 
-#include "cases/hand/trace_spline.hpp"
 #include "cases/catalogue/scenes/benchmark_families.hpp"
 #include "cases/closed_form/incline.hpp"
 #include "cases/closed_form/stopping.hpp"
 #include "cases/hand/trace_builder.hpp"
+#include "cases/hand/trace_spline.hpp"
 #include "cases/model/input_error.hpp"
 
 namespace handhold::catalogue {

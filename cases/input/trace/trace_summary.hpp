@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "cases/model/hand_motion.hpp"
 #include "cases/hand/trace.hpp"
+#include "cases/model/hand_motion.hpp"
 
 namespace handhold {
 
