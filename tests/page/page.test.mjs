@@ -52,6 +52,7 @@ for (const folder of [FAILING, PASSING]) {
   onPage(`counts the gates that the verdict counts: ${which}`, folder, {}, async (tab) => {
     const { gates, failed } = results(folder).verdict;
     assert.equal(Number(await tab.locator('#verdict-title').getAttribute('data-gates')), gates);
+    await tab.waitForSelector('.gate-dots :is(circle, path.failed)');
     assert.equal(await tab.locator('.gate-dots :is(circle, path.failed)').count(), gates);
     assert.equal(await tab.locator('.failures tbody tr').count(), failed);
     assert.match(await tab.title(), failed ? /^✗ \d+ of/ : /^✓ All/);
@@ -138,6 +139,7 @@ onPage('keys alone: play, step, engine, case', PASSING, { hash: D04 }, async (ta
   const title = await tab.locator('#case-title').textContent();
   await tab.keyboard.press('j');
   await tab.waitForFunction((old) => document.querySelector('#case-title').textContent !== old, title);
+  await shown(tab);
   await tab.keyboard.press('k');
   await tab.waitForFunction((old) => document.querySelector('#case-title').textContent === old, title);
 });

@@ -21,4 +21,5 @@ set(environment "HANDHOLD_PAGE_TOOLS=${PROJECT_BINARY_DIR}/page" "HANDHOLD_CHROM
   "HANDHOLD_PAGE_FAILING=${reports}/failing" "HANDHOLD_PAGE_PASSING=${reports}/passing")
 add_test(NAME page.browser COMMAND "${HANDHOLD_NODE}" --test "${CMAKE_CURRENT_LIST_DIR}/page.test.mjs")
 set_tests_properties(page.browser PROPERTIES LABELS page FIXTURES_REQUIRED page_reports TIMEOUT 900
+  RUN_SERIAL TRUE  # a browser that draws in software needs both cores
   ENVIRONMENT "${environment}")
