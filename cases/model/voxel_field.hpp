@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include "cases/model/face_graph.hpp"
 #include "cases/model/mesh.hpp"
 
 namespace handhold {
@@ -72,6 +73,7 @@ class VoxelField {
   explicit VoxelField(Data data);
 
   [[nodiscard]] const Mesh& mesh() const { return data_.mesh; }
+  [[nodiscard]] const FaceGraph& faces() const { return faces_; }
   [[nodiscard]] const Grid& grid() const { return data_.grid; }
   [[nodiscard]] double band() const { return data_.band; }
   [[nodiscard]] const Data& data() const { return data_; }
@@ -80,6 +82,10 @@ class VoxelField {
   /// Whether the centre of voxel (i, j, k) lies inside the solid.
   [[nodiscard]] bool occupied(int i, int j, int k) const;
   [[nodiscard]] std::size_t occupied_count() const;
+
+  /// Whether a crease of the mesh is so near (6 voxels) that distances between the nodes there are not those to one
+  /// smooth surface. False off the grid.
+  [[nodiscard]] bool near_crease(const Eigen::Vector3d& p_O) const;
 
   /// Trilinear signed distance and its gradient at `p_O`. Off the grid: band + distance to the grid, gradient away from
   /// it.
@@ -101,12 +107,15 @@ class VoxelField {
   struct Search;
 
   void build_normals();
+  void mark_creases();
   [[nodiscard]] double reach(const Eigen::Vector3d& p_O) const;
   [[nodiscard]] Search search(const Eigen::Vector3d& p_O, double radius) const;
   [[nodiscard]] Eigen::Vector3d feature_normal(int triangle, int feature) const;
 
   Data data_;
   Eigen::AlignedBox3d bounds_;
+  FaceGraph faces_;
+  std::vector<std::uint64_t> near_crease_;  // a bit a node; empty: there is no crease
   std::vector<Triangle> triangles_;
   std::vector<Eigen::Vector3d> vertex_normals_;     // angle weighted
   std::vector<Eigen::Vector3d> edge_normals_;       // sum over the edge's triangles, normalised
