@@ -2,8 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <numbers>
-#include <span>
 #include <vector>
 
 #include <Eigen/Core>
@@ -16,7 +14,7 @@ namespace handhold {
 /// tessellation of a smooth part [rad]. 40 degrees: a circle of ten sides (36) is smooth, a box, a hexagon and an
 /// octagon (45) have edges. The facets of the built-in round shapes turn by 12 degrees at most, a mug's handle by less
 /// than 40.
-inline constexpr double crease_angle = 40 * std::numbers::pi / 180;
+inline constexpr double crease_angle = 40 * 3.14159265358979323846 / 180;
 
 enum class EdgeKind : std::uint8_t { smooth, convex, hollow };
 
@@ -43,10 +41,16 @@ class FaceGraph {
   [[nodiscard]] const Face& operator[](int face) const { return faces_[std::size_t(face)]; }
   [[nodiscard]] int size() const { return int(faces_.size()); }
 
+  /// Numbers of faces, for a loop; C++17, for the files that include Simbody.
+  struct Ring {
+    const int *first{}, *last{};
+    [[nodiscard]] const int* begin() const { return first; }
+    [[nodiscard]] const int* end() const { return last; }
+  };
+
   /// The faces with an area that meet at a vertex of the mesh, ascending.
-  [[nodiscard]] std::span<const int> around(int vertex) const {
-    const std::uint32_t first = start_[std::size_t(vertex)], end = start_[std::size_t(vertex) + 1];
-    return std::span<const int>(ring_).subspan(first, end - first);
+  [[nodiscard]] Ring around(int vertex) const {
+    return {ring_.data() + start_[std::size_t(vertex)], ring_.data() + start_[std::size_t(vertex) + 1]};
   }
 
   /// Ends of an edge that is a crease, in O.
