@@ -96,6 +96,13 @@ struct Event {
   BodyState body{};  ///< of the sample's body at `t`
 };
 
+/// Where the contact law has no unique continuation (docs/contact-law.md), and which one the engine took.
+struct Ambiguity {
+  double t{};  ///< [s]
+  SampleId id{};
+  std::string what{};  ///< "touches on a convex edge: ..."
+};
+
 /// How a run ended. Anything but `complete` comes with a sentence in `Recording::note`.
 enum class Outcome : std::uint8_t { complete, interrupted, diverged, stalled };
 
@@ -109,9 +116,10 @@ struct Recording {
   std::string note{};
   std::map<std::string, std::string> provenance{};  ///< options, versions, compiler
   std::vector<std::string> body_names{};
-  std::vector<Frame> frames{};       ///< the first at t = 0
-  std::vector<Event> events{};       ///< ascending in time
-  std::vector<double> frame_time{};  ///< CPU time of each advance between frames [s]; empty when not measured
+  std::vector<Frame> frames{};           ///< the first at t = 0
+  std::vector<Event> events{};           ///< ascending in time
+  std::vector<Ambiguity> ambiguities{};  ///< ascending in time
+  std::vector<double> frame_time{};      ///< CPU time of each advance between frames [s]; empty when not measured
 };
 
 /// The greatest change of the frames' energy_sum since the first frame [J]; NaN if one of them is.

@@ -149,6 +149,18 @@ Buffer frame_times_text(const Recording& recording) {
   return out;
 }
 
+Buffer ambiguities_text(const Recording& recording) {
+  Buffer out;
+  put_header(out, recording);
+  fmt::format_to(std::back_inserter(out), "t_s,hand,phalanx,body,sample,what\n");
+  for (const Ambiguity& ambiguity : recording.ambiguities) {
+    fmt::format_to(std::back_inserter(out), "{}", ambiguity.t);
+    put(out, ambiguity.id);
+    fmt::format_to(std::back_inserter(out), ",{}\n", field(ambiguity.what));
+  }
+  return out;
+}
+
 void check_sizes(const Recording& recording) {
   for (const Frame& frame : recording.frames) {
     if (frame.bodies.size() == recording.body_names.size()) continue;
@@ -205,6 +217,7 @@ void write_recording(const Recording& recording, const std::filesystem::path& fo
   parts.write("contacts.csv", contacts_text(recording));
   parts.write("events.csv", events_text(recording));
   parts.write("frame_times.csv", frame_times_text(recording));
+  parts.write("ambiguities.csv", ambiguities_text(recording));
   parts.rename();
 }
 

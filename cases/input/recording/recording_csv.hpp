@@ -16,6 +16,7 @@
 //   events.csv       t_s, window_s, kind (touch, breakaway, restick, release), hand, phalanx, body, sample; pose
 //                    and twist of that body at that time, as in frames.csv
 //   frame_times.csv  advance, cpu_time_s; no rows when not measured
+//   ambiguities.csv  t_s, hand, phalanx, body, sample, what: where the law has no unique continuation
 //
 // Every file begins with lines `# key: value`: format, engine, scene, outcome (complete, interrupted, diverged,
 // stalled), note, one `body` for each name, then the provenance as `provenance.KEY`. In them a backslash is \\, a line
@@ -23,7 +24,7 @@
 
 namespace handhold {
 
-/// Writes the four files into `folder`, which is made if need be. All are first written beside (`*.part`), then
+/// Writes the five files into `folder`, which is made if need be. All are first written beside (`*.part`), then
 /// renamed, so that a full disk or an interruption leaves what was there. Throws InputError if the folder cannot be
 /// written.
 void write_recording(const Recording& recording, const std::filesystem::path& folder);

@@ -237,6 +237,23 @@ void read_frame_times(const fs::path& path, Recording& recording) {
   for (Fields f = lines.row(2); !f.empty(); f = lines.row(2)) recording.frame_time.push_back(lines.number(f[1]));
 }
 
+std::string unquoted(std::string_view field) {
+  if (field.size() < 2 || field.front() != '"') return std::string(field);
+  std::string result;
+  for (std::size_t i = 1; i + 1 < field.size(); ++i) {
+    if (field[i] == '"') ++i;  // two of them are one
+    result += field[i];
+  }
+  return result;
+}
+
+void read_ambiguities(const fs::path& path, Recording& recording) {
+  Lines lines(path);
+  for (Fields f = lines.row(6); !f.empty(); f = lines.row(6))
+    recording.ambiguities.push_back(
+        {lines.number(f[0]), id_at(lines, f, 1, recording.body_names.size()), unquoted(f[5])});
+}
+
 }  // namespace
 
 Recording read_recording(const std::filesystem::path& folder) {
@@ -246,6 +263,7 @@ Recording read_recording(const std::filesystem::path& folder) {
   if (fs::exists(folder / "contacts.csv", ignored)) read_contacts(folder / "contacts.csv", recording);
   if (fs::exists(folder / "events.csv", ignored)) read_events(folder / "events.csv", recording);
   if (fs::exists(folder / "frame_times.csv", ignored)) read_frame_times(folder / "frame_times.csv", recording);
+  if (fs::exists(folder / "ambiguities.csv", ignored)) read_ambiguities(folder / "ambiguities.csv", recording);
   return recording;
 }
 

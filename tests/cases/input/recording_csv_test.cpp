@@ -70,6 +70,7 @@ Recording example() {
   recording.frames[1].contacts = {a, b};
   recording.events = {{0.01, 1e-12, EventKind::touch, a.id, recording.frames[0].bodies[0]},
                       {0.02, 0.001, EventKind::restick, b.id, recording.frames[1].bodies[0]}};
+  recording.ambiguities = {{0.015, a.id, "touches on an edge, \"the first\" face is taken"}};
   recording.frame_time = {1e-5, 2e-5};
   return recording;
 }
@@ -102,6 +103,10 @@ TEST_F(RecordingCsv, ReadsBackTheSameBits) {
   EXPECT_EQ(read.provenance, written.provenance);
   EXPECT_EQ(read.body_names, written.body_names);
   EXPECT_EQ(read.frame_time, written.frame_time);
+  ASSERT_EQ(read.ambiguities.size(), 1u);
+  EXPECT_EQ(read.ambiguities[0].t, 0.015);
+  EXPECT_EQ(read.ambiguities[0].id, written.ambiguities[0].id);
+  EXPECT_EQ(read.ambiguities[0].what, written.ambiguities[0].what);
   ASSERT_EQ(read.frames.size(), written.frames.size());
   for (std::size_t i = 0; i < read.frames.size(); ++i) {
     EXPECT_EQ(read.frames[i].t, written.frames[i].t);
