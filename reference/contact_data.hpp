@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -39,15 +40,17 @@ struct Wrench {
 /// What changes only at events.
 struct Modes {
   std::vector<Mode> mode{};            ///< of every slot
-  std::vector<Foothold> hold{};        ///< of every slot: of its anchor; of apart samples it means nothing
+  std::vector<Foothold> hold{};        ///< of every slot: of its anchor; of samples that are nowhere it means nothing
+  std::vector<char> kept{};            ///< of every slot: apart, but inside, and its anchor still names its sheet
   std::vector<char> exists{};          ///< of every slot: its patch has been seeded or was given
   std::vector<Eigen::Vector3d> p_P{};  ///< of every slot: the sample's point in its carrier's frame [m]
-  std::vector<int> touching{};         ///< of every pad: samples that are not apart
+  std::vector<int> touching{};         ///< of every pad: samples that are not apart, or keep a sheet
   std::vector<char> present{};         ///< of every hand
   std::vector<char> held{};            ///< of every body: a support holds it up
 };
 
-/// Anchors C in the frame of the body they are on, one column a slot [m]; those of apart samples mean nothing.
+/// Anchors C in the frame of the body they are on, one column a slot [m]; those of samples that are nowhere mean
+/// nothing.
 using Anchors = Eigen::Matrix3Xd;
 using AnchorsView = Eigen::Ref<const Anchors>;
 
@@ -78,6 +81,12 @@ struct Evaluation {
   double touch{-1};                            ///< of apart samples
   int touch_slot{-1};
   double nearness{-1};  ///< of patches due, or to be dropped
+};
+
+/// Where the law has no unique continuation for one sample.
+struct Undecided {
+  int slot{};
+  std::string what{};
 };
 
 /// A change of mode of one sample.

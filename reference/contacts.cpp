@@ -118,19 +118,32 @@ void Contacts::respond_at(std::size_t slot, Mode mode, const Vector3d& anchor, c
   const Element& element = elements_[std::size_t(layout_.pad_of[slot])];
   const Surface& surface = *surfaces_[layout_.id[slot].body];
   const Approach approach{s.p_O - anchor, s.v_O};
+  s.edge = -1;
   if (hold.caught()) {
-    const Wedge wedge = surface.wedge(hold);
-    s.n_O = wedge.normal(approach.r);
-    s.response = respond(element, approach, wedge);
+    const Vector3d pull = element.stiffness * approach.r + element.damping * approach.v;
+    const Way way = mode == Mode::slip ? surface.along_edge(pull, hold) : surface.way(pull, hold);
+    s.n_O = way.n;
+    s.response = respond(element, mode, approach, {.n = way.n, .edge = way.edge});
+    // As wide as the border that an anchor passes, so that round-off cannot send it off the edge.
+    if (mode == Mode::slip)
+      s.edge = std::max(surface.overrun(anchor, hold), way.leaves - element.stiffness * touch_depth);
   } else {
     const bool with_curvature = mode == Mode::slip && element.damping == 0;
     const AnchorSurface& here = surface_at(slot, anchor, hold, with_curvature);
     s.n_O = here.n;
     s.response = respond(element, mode, approach, here);
+    if (mode == Mode::slip) s.edge = surface.overrun(anchor, hold);
   }
   s.gap = s.response.release;
   s.friction = s.response.friction;
-  s.edge = mode == Mode::slip ? surface.overrun(anchor, hold) : -1;
+}
+
+/// A sample that keeps its sheet while its damper pulls as hard as its spring presses: what the spring loses is lost.
+void Contacts::relax(std::size_t slot, const Place& anchor, Sample& s) const {
+  const Foot foot = surfaces_[layout_.id[slot].body]->foot_on_sheet(s.p_O, anchor);
+  if (!(foot.depth > 0)) return;  // above its sheet, and about to forget it
+  s.response.depth = foot.depth;
+  s.response.dissipation = -elements_[std::size_t(layout_.pad_of[slot])].stiffness * (s.p_O - foot.p_O).dot(s.v_O);
 }
 
 /// Action on the touched body, reaction on the carrying one, both along the line through p.
@@ -166,9 +179,14 @@ void Contacts::evaluate(double t, const Motions& motions, const Modes& modes, co
     if (modes.touching[i] == 0) continue;
     const Pad& pad = layout_.pads[i];
     for (std::size_t slot = std::size_t(pad.first); slot < std::size_t(pad.first + pad.count); ++slot) {
-      if (modes.mode[slot] == Mode::apart) continue;
+      if (modes.mode[slot] == Mode::apart && !modes.kept[slot]) continue;
       Sample& s = out.samples[slot];
       s = place(slot, t, motions, modes.p_P[slot]);
+      if (modes.mode[slot] == Mode::apart) {
+        relax(slot, {anchors.col(Eigen::Index(slot)), modes.hold[slot]}, s);
+        out.dissipation += s.response.dissipation;
+        continue;
+      }
       respond_at(slot, modes.mode[slot], anchors.col(Eigen::Index(slot)), modes.hold[slot], s);
       if (s.response.singular) out.singular_slot = int(slot);
       add_to(pad, motions, s, out);
@@ -179,7 +197,7 @@ void Contacts::evaluate(double t, const Motions& motions, const Modes& modes, co
 double Contacts::elastic_energy(const Modes& modes, const Evaluation& evaluation) const {
   double energy = 0;
   for (std::size_t slot = 0; slot < modes.mode.size(); ++slot) {
-    if (modes.mode[slot] == Mode::apart) continue;
+    if (modes.mode[slot] == Mode::apart && !modes.kept[slot]) continue;
     const Response& r = evaluation.samples[slot].response;
     energy += 0.5 * element(int(slot)).stiffness * (r.depth * r.depth + r.lag.squaredNorm());
   }

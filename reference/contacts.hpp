@@ -37,7 +37,7 @@ class Contacts {
   void evaluate(double t, const Motions& motions, const Modes& modes, const AnchorsView& anchors, Evaluation& out);
 
   /// The other witnesses, of apart samples and of patches.
-  void watch(double t, const Motions& motions, const Modes& modes, Evaluation& out);
+  void watch(double t, const Motions& motions, const Modes& modes, const AnchorsView& anchors, Evaluation& out);
 
   /// Modes without hands, patches and contacts.
   void clear(Modes& modes) const;
@@ -52,6 +52,7 @@ class Contacts {
     Modes& modes;
     Anchors& anchors;
     std::vector<Transition> changes{};
+    std::vector<Undecided> undecided{};
     double dissipated{};  ///< what the springs lose when anchors jump or let go [J]
   };
 
@@ -65,7 +66,7 @@ class Contacts {
   /// Position and velocity of a sample; mode and witnesses are left at "apart".
   [[nodiscard]] Sample place(std::size_t slot, double t, const Motions& motions, const Eigen::Vector3d& p_P);
 
-  /// ½ k |p − C|² of the samples in contact [J].
+  /// ½ k |p − C|² of the samples in contact, and of those that keep a sheet [J].
   [[nodiscard]] double elastic_energy(const Modes& modes, const Evaluation& evaluation) const;
 
   /// Of a slot, for messages: "hand 0 index_distal sample 3 on body 'cube'".
@@ -93,11 +94,14 @@ class Contacts {
   [[nodiscard]] const AnchorSurface& surface_at(std::size_t slot, const Eigen::Vector3d& anchor, const Foothold& hold,
                                                 bool with_curvature);
   void respond_at(std::size_t slot, Mode mode, const Eigen::Vector3d& anchor, const Foothold& hold, Sample& s);
+  void relax(std::size_t slot, const Place& anchor, Sample& s) const;
   void add_to(const Pad& pad, const Motions& motions, Sample& s, Evaluation& out) const;
   [[nodiscard]] bool live(const Pad& pad, const Modes& modes) const;
 
   // watch.cpp
   [[nodiscard]] double touch_witness(std::size_t slot, const Sample& s) const;
+  [[nodiscard]] double kept_witness(std::size_t slot, const Sample& s, const Place& anchor) const;
+  [[nodiscard]] double pressing(std::size_t slot, const Sample& s, const Foot& foot) const;
   [[nodiscard]] double far(const Pad& pad, double t, const Motions& motions);
   [[nodiscard]] double nearness(std::size_t pad, double t, const Motions& motions, const Modes& modes);
   [[nodiscard]] Pose pose_in_body(const Pad& pad, double t, const Motions& motions);
@@ -109,10 +113,15 @@ class Contacts {
   void settle_slot(std::size_t slot, Settling& now);
   [[nodiscard]] bool change(Slot& x, Settling& now);
   void look(Slot& x);
-  void touch(Slot& x);
+  void touch(Slot& x, Settling& now);
+  void decide(const Slot& x, Foot& foot, Settling& now) const;
+  void release(Slot& x);
   void break_away(Slot& x);
   void stick_again(Slot& x);
-  [[nodiscard]] bool go_over(Slot& x);
+  void go_over(Slot& x, Settling& now);
+  void take_way(Slot& x, const Way& way);
+  void say_undecided(const Slot& x, const Way& way, const Eigen::Vector3d& w, Settling& now) const;
+  void slip_to_cone(Slot& x, const Eigen::Vector3d& direction);
   [[nodiscard]] Eigen::Vector3d with_lag(std::size_t slot, const Eigen::Vector3d& p_O, const Eigen::Vector3d& anchor,
                                          const Foothold& hold, const Eigen::Vector3d& direction, double ratio,
                                          double margin) const;

@@ -32,7 +32,8 @@ void damped_slip(const Element& element, const Vector3d& v_t, Response& o, const
   o.dissipation = c * (o.depth_rate * o.depth_rate + (v_t - o.anchor_rate).squaredNorm()) + limit * speed;
 }
 
-/// c = 0, mu_d = 0: the anchor stays below p: differentiate p = C − d n, with n' = K C'.
+/// c = 0, mu_d = 0: the anchor stays below p: differentiate p = C − d n, with n' = K C'. In a hollow edge, abreast of
+/// p.
 void frictionless_slip(const Vector3d& v_t, const AnchorSurface& surface, Response& o) {
   const Vector3d& n = surface.n;
   const Matrix3d tangent = Matrix3d::Identity() - n * n.transpose();
@@ -87,6 +88,7 @@ Response respond(const Element& element, Mode mode, const Approach& approach, co
     frictionless_slip(v_t, surface, o);
   }
   o.anchor_rate -= stabilisation * surface.phi * n;
+  if (!surface.edge.isZero(0)) o.anchor_rate = o.anchor_rate.dot(surface.edge) * surface.edge;
   return o;
 }
 

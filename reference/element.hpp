@@ -27,6 +27,7 @@ struct AnchorSurface {
   double phi{};                                ///< signed distance of the anchor from the surface: its drift [m]
   Eigen::Vector3d n{Eigen::Vector3d::Zero()};  ///< unit, outward
   Eigen::Matrix3d curvature{Eigen::Matrix3d::Zero()};  ///< Hessian of the distance over its slope [1/m]; used if c = 0
+  Eigen::Vector3d edge{Eigen::Vector3d::Zero()};       ///< unit, of a hollow edge that holds the anchor; zero: none
 };
 
 /// A sample point p seen from its anchor C, all in the object's frame O.

@@ -55,6 +55,14 @@ double potential(const Body& body, const Motion& m, const Vector3d& gravity) {
   return -body.inertia.mass * gravity.dot(m.p + m.R * body.inertia.center - start);
 }
 
+/// Of every body: "cube: triangles, for ...".
+std::string surfaces(const Scene& scene, SurfaceModel model) {
+  std::string text;
+  for (const Body& body : scene.bodies)
+    text += (text.empty() ? "" : "; ") + body.name + ": " + choose_surface(*body.field, model).why;
+  return text;
+}
+
 }  // namespace
 
 Recorder::Recorder(const Scene& scene, const Options& options) : scene_(scene) {
@@ -64,7 +72,7 @@ Recorder::Recorder(const Scene& scene, const Options& options) : scene_(scene) {
   provenance("accuracy", fmt::format("{:g}", options.accuracy));
   provenance("max_step", fmt::format("{:g} s", options.max_step));
   provenance("frame_rate", options.frame_times.empty() ? fmt::format("{:g} Hz", options.frame_rate) : "at given times");
-  provenance("surface", options.surface == SurfaceModel::mesh ? "mesh" : "voxels");
+  provenance("surface", surfaces(scene, options.surface));
   provenance("compiler", "g++ " __VERSION__);
 }
 
@@ -109,6 +117,10 @@ void Recorder::events(double t, double window, const std::vector<Transition>& tr
     const SampleId& id = layout.id[std::size_t(x.slot)];
     recording_.events.push_back({t, window, x.kind, id, body_state(motions[id.body])});
   }
+}
+
+void Recorder::undecided(double t, const std::vector<Undecided>& found, const Layout& layout) {
+  for (const Undecided& x : found) recording_.ambiguities.push_back({t, layout.id[std::size_t(x.slot)], x.what});
 }
 
 void Recorder::end(Outcome outcome, const std::string& note) {

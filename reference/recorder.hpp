@@ -29,6 +29,7 @@ class Recorder {
              const Evaluation& evaluation, Contacts& contacts, const Work& work);
   void events(double t, double window, const std::vector<Transition>& transitions, const Motions& motions,
               const Layout& layout);
+  void undecided(double t, const std::vector<Undecided>& found, const Layout& layout);
   void frame_time(double seconds) { recording_.frame_time.push_back(seconds); }
   void end(Outcome outcome, const std::string& note);
   void provenance(const std::string& key, const std::string& value) { recording_.provenance[key] = value; }

@@ -12,8 +12,9 @@ namespace handhold::reference {
 
 /// Which surface the samples touch.
 enum class SurfaceModel {
-  voxels,  ///< the zero set of the C2 spline through the shared voxel field
-  mesh,    ///< the exact triangles
+  automatic,  ///< of every body: the mesh if it has creases, the voxels if it is smooth
+  voxels,     ///< the zero set of the C2 spline through the shared voxel field
+  mesh,       ///< the exact triangles
 };
 
 struct Options {
@@ -21,7 +22,7 @@ struct Options {
   double max_step{1e-3};        ///< longest step; a pair of events inside one step would be missed [s], > 0
   double frame_rate{90};        ///< of the recording [Hz], > 0
   long step_limit{20'000'000};  ///< accepted steps, after which the run counts as stalled, > 0
-  SurfaceModel surface{SurfaceModel::voxels};
+  SurfaceModel surface{SurfaceModel::automatic};
   std::vector<double> frame_times{};  ///< instead of a rate: ascending in (0, duration], the last at its end [s]
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "reference/contacts.hpp"
+#include "reference/settling_slot.hpp"
 
 namespace handhold::reference {
 namespace {
@@ -26,28 +27,6 @@ Vector3d tangential(const Vector3d& v, const Vector3d& n) { return v - v.dot(n) 
 
 }  // namespace
 
-struct Contacts::Slot {
-  std::size_t index;
-  const Pad& pad;
-  const Element& element;
-  const Surface& surface;
-  Mode mode;
-  Foothold hold;
-  Vector3d anchor;
-  Sample s;
-  std::vector<EventKind> news{};
-
-  void enter(Mode next, EventKind kind) {
-    mode = next;
-    news.push_back(kind);
-  }
-  [[nodiscard]] bool undamped() const { return element.damping == 0; }
-  [[nodiscard]] double stored() const {
-    const Response& r = s.response;
-    return mode == Mode::apart ? 0 : 0.5 * element.stiffness * (r.depth * r.depth + r.lag.squaredNorm());
-  }
-};
-
 /// The anchor for which the lag is (ratio d − margin) along `direction` (made tangential): fixed point, contracts by κ
 /// d.
 Vector3d Contacts::with_lag(std::size_t slot, const Vector3d& p_O, const Vector3d& anchor, const Foothold& hold,
@@ -56,8 +35,8 @@ Vector3d Contacts::with_lag(std::size_t slot, const Vector3d& p_O, const Vector3
   Vector3d a = surface.project(anchor, hold);
   double off = 0;
   for (int i = 0; i < 60; ++i) {
-    const Vector3d n = surface.at(a, hold, false).n;
     const Vector3d r = p_O - a;
+    const Vector3d n = hold.caught() ? surface.way(r, hold).n : surface.at(a, hold, false).n;
     const double depth = -r.dot(n);
     const Vector3d wanted = std::max(0.0, ratio * depth - margin) * tangential(direction, n).normalized();
     const Vector3d error = r + depth * n - wanted;
@@ -77,15 +56,19 @@ void Contacts::look(Slot& x) {
   x.s.response = Response();
   x.s.n_O.setZero();
   x.s.friction = x.s.edge = -1;
-  if (x.mode == Mode::apart)
-    x.s.gap = touch_witness(x.index, x.s);
-  else
+  if (x.mode != Mode::apart) {
     respond_at(x.index, x.mode, x.anchor, x.hold, x.s);
+    return;
+  }
+  if (x.kept) relax(x.index, x.place(), x.s);
+  x.s.gap = x.kept ? kept_witness(x.index, x.s, x.place()) : touch_witness(x.index, x.s);
 }
 
 /// Anchor below p, so that the lag is zero; slips at once if it moves sideways faster than the cone opens.
-void Contacts::touch(Slot& x) {
-  const Foot foot = x.surface.foot(x.s.p_O);
+void Contacts::touch(Slot& x, Settling& now) {
+  Foot foot = x.kept ? x.surface.foot_on_sheet(x.s.p_O, x.place()) : x.surface.foot(x.s.p_O);
+  if (!x.kept) decide(x, foot, now);
+  x.kept = false;
   x.anchor = foot.p_O;
   x.hold = foot.hold;
   x.enter(Mode::stick, EventKind::touch);
@@ -106,17 +89,19 @@ void Contacts::touch(Slot& x) {
   x.anchor = with_lag(x.index, x.s.p_O, x.anchor, x.hold, v_t, mu.mu_dynamic, 0);
 }
 
+/// If the damper alone let go, deep inside, the sample keeps its sheet: another may be nearer by now.
+void Contacts::release(Slot& x) {
+  const bool spring_presses = x.normal(x.spring()).dot(x.spring()) < 0;
+  x.kept = !x.undamped() && spring_presses && x.surface.value(x.s.p_O) < -touch_depth;
+  x.enter(Mode::apart, EventKind::release);
+}
+
 void Contacts::break_away(Slot& x) {
-  Vector3d direction = x.s.response.lag;
-  if (x.hold.caught()) {
-    const Approach approach{x.s.p_O - x.anchor, x.s.v_O};
-    if (way_out(x.element, approach, x.surface.wedge(x.hold)) == 1) x.hold.face = x.hold.wall;
-    x.hold.wall = -1;
-    direction = approach.r;  // with_lag makes it tangential to the face
-  }
-  if (x.undamped())
-    x.anchor = with_lag(x.index, x.s.p_O, x.anchor, x.hold, direction, x.element.friction.mu_dynamic, 0);
   x.enter(Mode::slip, EventKind::breakaway);
+  if (x.hold.caught())
+    take_way(x, x.surface.way(x.pull(), x.hold));
+  else if (x.undamped())
+    slip_to_cone(x, x.s.response.lag);
 }
 
 void Contacts::stick_again(Slot& x) {
@@ -126,34 +111,25 @@ void Contacts::stick_again(Slot& x) {
   x.enter(Mode::stick, EventKind::restick);
 }
 
-/// The anchor has left its face.
-bool Contacts::go_over(Slot& x) {
-  const Foothold next = x.surface.beyond(x.anchor, x.hold);
-  if (next == x.hold) return false;
-  x.hold = next;
-  x.anchor = x.surface.project(x.anchor, x.hold);
-  if (x.hold.caught()) {
-    x.enter(Mode::stick, EventKind::restick);
-  } else if (x.undamped()) {
-    x.anchor = with_lag(x.index, x.s.p_O, x.anchor, x.hold, x.s.p_O - x.anchor, x.element.friction.mu_dynamic, 0);
-  }
-  return true;
-}
-
 /// Carries out one change that is due; false if there is none.
 bool Contacts::change(Slot& x, Settling& now) {
   if (!live(x.pad, now.modes)) {
     if (x.mode != Mode::apart) x.enter(Mode::apart, EventKind::release);
+    x.kept = false;
     return false;
   }
   const bool slipping = x.mode == Mode::slip;
   if (x.mode == Mode::apart) {
     if (!(x.s.gap > 0)) return false;
-    touch(x);
+    const bool is_out = x.kept && x.surface.value(x.s.p_O) > 0;
+    if (is_out)
+      x.kept = false;
+    else
+      touch(x, now);
   } else if (x.s.gap > 0) {
-    x.enter(Mode::apart, EventKind::release);
+    release(x);
   } else if (slipping && x.s.edge > 0) {
-    return go_over(x);
+    go_over(x, now);
   } else if (slipping && (x.undamped() ? x.s.friction >= 0 : x.s.friction > 0)) {
     stick_again(x);
   } else if (x.mode == Mode::stick && x.s.friction > 0) {
@@ -175,14 +151,17 @@ void Contacts::settle_slot(std::size_t slot, Settling& now) {
          modes.mode[slot],
          modes.hold[slot],
          now.anchors.col(Eigen::Index(slot)),
+         modes.kept[slot] != 0,
          place(slot, now.t, now.motions, modes.p_P[slot])};
   look(x);
   const double before = x.stored();
   int changes = 0;
   for (; changes < most_changes && change(x, now); ++changes) look(x);
   if (changes == most_changes) throw CannotAdvance(describe(int(slot)) + ": its mode does not settle");
-  modes.touching[pad] += int(x.mode != Mode::apart) - int(modes.mode[slot] != Mode::apart);
+  const auto counts = [](Mode mode, bool kept) { return int(mode != Mode::apart || kept); };
+  modes.touching[pad] += counts(x.mode, x.kept) - counts(modes.mode[slot], modes.kept[slot]);
   modes.mode[slot] = x.mode;
+  modes.kept[slot] = x.kept;
   modes.hold[slot] = x.hold;
   now.anchors.col(Eigen::Index(slot)) = x.anchor;
   now.dissipated += before - x.stored();
@@ -229,6 +208,7 @@ void Contacts::clear(Modes& modes) const {
   const std::size_t n = layout_.id.size();
   modes.mode.assign(n, Mode::apart);
   modes.hold.assign(n, Foothold());
+  modes.kept.assign(n, 0);
   modes.p_P = layout_.given_p_P;
   modes.exists.assign(n, 0);
   modes.touching.assign(layout_.pads.size(), 0);

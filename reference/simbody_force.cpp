@@ -94,7 +94,7 @@ void ContactForce::compute(const SimTK::State& state, Instant& out) const {
 const Instant& ContactForce::watch(const SimTK::State& state) const {
   const Instant& instant = evaluate(state);
   if (!instant.contacts.watched)
-    contacts_.watch(state.getTime(), instant.motions, modes(state), memory_.instant.contacts);
+    contacts_.watch(state.getTime(), instant.motions, modes(state), anchors(state), memory_.instant.contacts);
   return instant;
 }
 

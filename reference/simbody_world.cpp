@@ -134,6 +134,7 @@ void World::settle_start(SimTK::State& state) {
   for (std::size_t i = 0; i < scene_.bodies.size(); ++i) modes.held[i] = held_after(i, 0);
   Contacts::Settling now{0, motions, modes, anchors};
   contacts_.settle(now);
+  recorder_.undecided(0, now.undecided, contacts_.layout());
   force_->set(state, std::move(modes), anchors, {});
 }
 
@@ -152,6 +153,7 @@ void World::settle(double window) {
   contacts_.settle(now);
   work.dissipated += now.dissipated;
   recorder_.events(t, window, now.changes, motions, contacts_.layout());
+  recorder_.undecided(t, now.undecided, contacts_.layout());
   force_->set(state, std::move(modes), anchors, work);
   integrator_.reinitialize(SimTK::Stage::Position, false);
 }

@@ -168,9 +168,11 @@ Vector3d SplineSurface::nearby_surface_point(const Vector3d& p_O) const {
   return closest ? closest->p_O : p_O;
 }
 
-Foot SplineSurface::foot(const Vector3d& p_O) const {
+Foot SplineSurface::foot(const Vector3d& p_O) const { return foot_from(p_O, nearby_surface_point(p_O)); }
+
+Foot SplineSurface::foot_from(const Vector3d& p_O, const Vector3d& start_O) const {
   Foot foot;
-  foot.p_O = project(nearby_surface_point(p_O));
+  foot.p_O = project(start_O);
   for (int i = 0; i < 60; ++i) {  // contracts by depth × curvature
     foot.n_O = gradient(foot.p_O).gradient.normalized();
     const Vector3d r = p_O - foot.p_O;

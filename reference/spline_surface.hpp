@@ -38,6 +38,9 @@ class SplineSurface : public Surface {
 
   /// The closest surface point of any point: (p_O − foot) is parallel to the normal at the foot.
   [[nodiscard]] Foot foot(const Eigen::Vector3d& p_O) const override;
+  [[nodiscard]] Foot foot_on_sheet(const Eigen::Vector3d& p_O, const Place& anchor) const override {
+    return foot_from(p_O, anchor.p_O);
+  }
 
   [[nodiscard]] AnchorSurface at(const Eigen::Vector3d& anchor_O, const Foothold&, bool with_curvature) const override;
   [[nodiscard]] Eigen::Vector3d project(const Eigen::Vector3d& p_O, const Foothold&) const override {
@@ -51,6 +54,7 @@ class SplineSurface : public Surface {
   [[nodiscard]] SurfaceSample sample(const Eigen::Vector3d& p_O) const;
   [[nodiscard]] bool on_grid(const Eigen::Vector3d& node) const;
   [[nodiscard]] Eigen::Vector3d nearby_surface_point(const Eigen::Vector3d& p_O) const;
+  [[nodiscard]] Foot foot_from(const Eigen::Vector3d& p_O, const Eigen::Vector3d& start_O) const;
 
   std::shared_ptr<const VoxelField> field_;
   Eigen::Vector3i size_;              // of the padded array: one ghost coefficient on each side

@@ -14,15 +14,29 @@ constexpr double none = -1e6;  // of a witness: nothing is near
 
 }  // namespace
 
+/// N / k, were the sample to touch at `foot` [m].
+double Contacts::pressing(std::size_t slot, const Sample& s, const Foot& foot) const {
+  const Element& element = elements_[std::size_t(layout_.pad_of[slot])];
+  const double ratio = element.damping / element.stiffness;  // [s]
+  if (!foot.hold.caught()) return foot.depth - ratio * s.v_O.dot(foot.n_O);
+  return surfaces_[layout_.id[slot].body]->way(s.p_O - foot.p_O + ratio * s.v_O, foot.hold).N;
+}
+
+/// Of a sample that keeps its sheet: it touches that again when it presses, and forgets it when it is out.
+double Contacts::kept_witness(std::size_t slot, const Sample& s, const Place& anchor) const {
+  const Surface& surface = *surfaces_[layout_.id[slot].body];
+  const double outside = surface.value(s.p_O);
+  // Deeper by touch_depth than where it was released, so that round-off cannot toggle it.
+  return outside > 0 ? outside : pressing(slot, s, surface.foot_on_sheet(s.p_O, anchor)) - touch_depth;
+}
+
 /// How deep p is; with damping it must be pushing too: k d + c d' > 0 at the surface point below p.
 double Contacts::touch_witness(std::size_t slot, const Sample& s) const {
   const Surface& surface = *surfaces_[layout_.id[slot].body];
   const Element& element = elements_[std::size_t(layout_.pad_of[slot])];
   const double depth = -surface.value(s.p_O);
   if (element.damping == 0 || depth <= touch_depth) return depth - touch_depth;
-  const Foot foot = surface.foot(s.p_O);
-  const double pressed = foot.depth - element.damping / element.stiffness * s.v_O.dot(foot.n_O);
-  return std::min(depth - touch_depth, pressed);
+  return std::min(depth - touch_depth, pressing(slot, s, surface.foot(s.p_O)));
 }
 
 /// The samples of a given pad are at least this far from the body [m]; 0: they may touch.
@@ -66,7 +80,8 @@ double Contacts::nearness(std::size_t index, double t, const Motions& motions, c
   return exists ? near.distance - drop : seed_distance_ - near.distance;
 }
 
-void Contacts::watch(double t, const Motions& motions, const Modes& modes, Evaluation& out) {
+void Contacts::watch(double t, const Motions& motions, const Modes& modes, const AnchorsView& anchors,
+                     Evaluation& out) {
   out.touch = out.nearness = none;
   out.touch_slot = -1;
   for (std::size_t i = 0; i < layout_.pads.size(); ++i) {
@@ -81,7 +96,9 @@ void Contacts::watch(double t, const Motions& motions, const Modes& modes, Evalu
     }
     for (std::size_t slot = std::size_t(pad.first); slot < std::size_t(pad.first + pad.count); ++slot) {
       if (modes.mode[slot] != Mode::apart || !modes.exists[slot]) continue;
-      const double depth = touch_witness(slot, place(slot, t, motions, modes.p_P[slot]));
+      const Sample s = place(slot, t, motions, modes.p_P[slot]);
+      const double depth = modes.kept[slot] ? kept_witness(slot, s, {anchors.col(Eigen::Index(slot)), modes.hold[slot]})
+                                            : touch_witness(slot, s);
       if (depth > out.touch) out.touch = depth, out.touch_slot = int(slot);
     }
   }

@@ -21,7 +21,7 @@ struct EngineOptions {
   int order{1};                       ///< of the real-time path: 1 implicit Euler, 2 implicit midpoint
   double accuracy{1e-10};             ///< of engines that control their error
   double max_step{1e-3};              ///< of engines that control their error [s]
-  bool exact_mesh{false};             ///< the reference touches the triangles instead of the spline of the voxel field
+  bool exact_mesh{false};  ///< the reference touches the triangles of smooth bodies, too, not a spline of their voxels
 };
 
 /// What a recording of the engine holds beside poses and twists at every frame.

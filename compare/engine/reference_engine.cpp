@@ -15,9 +15,10 @@ class ReferenceEngine : public Engine {
             .levels = {Level::compliant},
             .errs = {.kind = ErrorModel::Kind::controlled, .accuracy = options.accuracy},
             .records = {.contacts = true, .events = true, .energy = true},
-            .settings = {{"accuracy", fmt::format("{}", options.accuracy)},
-                         {"longest step", fmt::format("{} s", options.max_step)},
-                         {"surface", options.exact_mesh ? "triangles" : "spline of the voxel field"}}};
+            .settings = {
+                {"accuracy", fmt::format("{}", options.accuracy)},
+                {"longest step", fmt::format("{} s", options.max_step)},
+                {"surface", options.exact_mesh ? "triangles" : "triangles; smooth bodies: spline of the voxel field"}}};
   }
 
   [[nodiscard]] Recording play(const Problem& problem, const EngineOptions& options,
@@ -27,7 +28,7 @@ class ReferenceEngine : public Engine {
         {.accuracy = options.accuracy,
          .max_step = options.max_step,
          .frame_rate = options.frame_rate,
-         .surface = options.exact_mesh ? reference::SurfaceModel::mesh : reference::SurfaceModel::voxels,
+         .surface = options.exact_mesh ? reference::SurfaceModel::mesh : reference::SurfaceModel::automatic,
          .frame_times = options.frame_times},
         progress);
   }

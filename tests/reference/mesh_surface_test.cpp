@@ -19,11 +19,13 @@ using namespace testing;
 
 const double pi = std::acos(-1.0);
 
-Options exact() {
+Options with(SurfaceModel surface) {
   Options options;
-  options.surface = SurfaceModel::mesh;
+  options.surface = surface;
   return options;
 }
+
+Options exact() { return with(SurfaceModel::mesh); }
 
 TEST(MeshSurface, KnowsABox) {
   const MeshSurface surface(cube_field());
@@ -55,11 +57,29 @@ TEST(MeshSurface, CatchesAPointBehindAHollowEdge) {
   EXPECT_LT((foot.n_O - Vector3d(0.6, 0.8, 0)).norm(), 1e-12);
   EXPECT_NEAR(foot.depth, 0.005, 1e-15);
   ASSERT_TRUE(foot.hold.caught());
-  const Wedge wedge = surface.wedge(foot.hold);
-  EXPECT_LT((wedge.n[0] + wedge.n[1] - Vector3d(1, 1, 0)).norm(), 1e-12);        // the faces' normals are x and y
-  EXPECT_LT((wedge.away[0] + wedge.away[1] - Vector3d(1, 1, 0)).norm(), 1e-12);  // and each leads along the other
-  EXPECT_LT((wedge.normal(p - foot.p_O) - foot.n_O).norm(), 1e-12);
   EXPECT_LT((surface.project(p, foot.hold) - foot.p_O).norm(), 1e-15);
+  // The faces' normals are x and y: pulled by (-3, -4, 2) N, an anchor goes along the edge; by (3, -4, 2) N along y =
+  // 0.
+  const Way along = surface.way({-3, -4, 2}, foot.hold);
+  EXPECT_TRUE(along.hold.caught());
+  EXPECT_LT((along.w - Vector3d(0, 0, 2)).norm(), 1e-12);
+  EXPECT_NEAR(along.N, 5, 1e-12);
+  EXPECT_LT((along.n - Vector3d(0.6, 0.8, 0)).norm(), 1e-12);
+  const Way off = surface.way({3, -4, 2}, foot.hold);
+  EXPECT_FALSE(off.hold.caught());
+  EXPECT_LT((off.w - Vector3d(3, 0, 2)).norm(), 1e-12);
+  EXPECT_NEAR(off.N, 4, 1e-12);
+  EXPECT_NEAR(surface.way({3, 4, 2}, foot.hold).N, -3, 1e-12);  // in the cone: as far as it is from the next face
+}
+
+// A body with creases is touched on its triangles, a smooth one on its voxels; the recording says which and why.
+TEST(MeshSurface, IsWhatABodyWithCreasesGets) {
+  const auto ball = voxelize(make_sphere(0.03, 3), {2e-3, 0.024});
+  EXPECT_EQ(choose_surface(*cube_field(), SurfaceModel::automatic).model, SurfaceModel::mesh);
+  EXPECT_EQ(choose_surface(*ball, SurfaceModel::automatic).model, SurfaceModel::voxels);
+  EXPECT_EQ(choose_surface(*ball, SurfaceModel::mesh).model, SurfaceModel::mesh);
+  const Recording r = simulate(palm_scene(0.02), {});
+  EXPECT_EQ(r.provenance.at("surface"), "cube: triangles, for edges turn by up to 90 degrees");
 }
 
 // Faces of a box are exact in both: the same motion, to the integrator's accuracy.
@@ -68,7 +88,7 @@ TEST(MeshSurface, IsTheSplineOnABox) {
     Scene scene = palm_scene(0.1, {Vector3d(-1e-3, 0, 0), true});
     scene.bodies[0].V_WO.v = {0.2, 0, 0};
     scene.contact.damping = damping;
-    const Recording a = simulate(scene, {}), b = simulate(scene, exact());
+    const Recording a = simulate(scene, with(SurfaceModel::voxels)), b = simulate(scene, exact());
     ASSERT_EQ(b.outcome, Outcome::complete) << b.note;
     ASSERT_EQ(a.events.size(), b.events.size());
     for (std::size_t i = 0; i < a.frames.size(); ++i)

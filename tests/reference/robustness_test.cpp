@@ -90,7 +90,9 @@ TEST(Robustness, SaysWhatCannotAdvance) {
   patch.points = {{0, 0, 0}};
   patch.pose = [](double t) { return Pose{Eigen::Quaterniond::Identity(), {0.02 + 0.05 * t, 0, half_edge - 0.004}}; };
   scene.hands.push_back(hand_with({patch}, 0.6));
-  const Recording r = simulate(scene, {});
+  Options rounded;
+  rounded.surface = SurfaceModel::voxels;
+  const Recording r = simulate(scene, rounded);
   ASSERT_EQ(r.outcome, Outcome::stalled);
   for (const char* word : {"index_distal", "sample 0", "body 'cube'", "t = 0."})
     EXPECT_NE(r.note.find(word), std::string::npos) << r.note;
