@@ -114,12 +114,13 @@ GraspSummary summarize(const Scene& scene, const Recording& recording) {
   return s;
 }
 
-Difference difference(const Recording& a, const Recording& b) {
+Difference difference(const Recording& a, const Recording& b, double until) {
   Difference d{.first_divergence = nan};
   std::size_t frames = 0, pairs = 0, same = 0;
   double squares = 0;
   auto other = b.frames.begin();
   for (const Frame& frame : a.frames) {
+    if (frame.t > until) break;
     while (other != b.frames.end() && other->t < frame.t - 1e-9) ++other;
     if (other == b.frames.end()) break;
     if (std::abs(other->t - frame.t) > 1e-9) continue;

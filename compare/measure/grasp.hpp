@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -36,7 +37,8 @@ struct GraspSummary {
 /// drifted more; `dropped`: out of contact at the end. Drift is 0 while a support still holds the object.
 [[nodiscard]] GraspSummary summarize(const Scene& scene, const Recording& recording);
 
-/// How far two recordings of the same scene are apart, at the frames they share; all NaN if they share none.
+/// How far two recordings of the same scene are apart, at the frames they share up to a time; all NaN if they share
+/// none.
 struct Difference {
   double max_translation{}, rms_translation{};  ///< of the body's origin [m]
   double max_rotation{};                        ///< [rad]
@@ -44,6 +46,7 @@ struct Difference {
   double first_divergence{};  ///< first time translation differs by more than 1 mm [s]; NaN: never
 };
 
-[[nodiscard]] Difference difference(const Recording& a, const Recording& b);
+[[nodiscard]] Difference difference(const Recording& a, const Recording& b,
+                                    double until = std::numeric_limits<double>::infinity());
 
 }  // namespace handhold::compare

@@ -17,6 +17,7 @@
 #include "compare/engine/drawn_hand.hpp"
 #include "compare/engine/engines.hpp"
 #include "compare/measure/grasp.hpp"
+#include "compare/study/horizon.hpp"
 #include "reports/cli/commands.hpp"
 #include "reports/cli/interrupt.hpp"
 #include "reports/cli/option_checks.hpp"
@@ -34,6 +35,7 @@ struct RunCommand {
   compare::EngineOptions engine{};
   bool frames_of_trace{false};
   std::string engine_name{"both"};
+  bool no_horizon{false};
   std::string visual_hand{};  ///< "whole", "finger"; empty: none
   std::string out{};
 };
@@ -43,15 +45,20 @@ struct TimedRecording {
   double seconds{};
 };
 
+/// Shows the simulated time in `line`; false when the user has had enough.
+compare::Progress shown(ProgressLine& line, const std::string& what, const NamedScene& named) {
+  line.step(fmt::format("{} {}", what, named.name));
+  return [&line, end = named.scene.duration](double t) {
+    line.update(fmt::format("{:.2f} of {:.2f} s", t, end));
+    return !interrupted();
+  };
+}
+
 TimedRecording simulate(const std::string& engine, const NamedScene& named, const compare::EngineOptions& options) {
   ProgressLine progress;
-  progress.step(fmt::format("{} {}", engine, named.name));
   const auto start = std::chrono::steady_clock::now();
   TimedRecording out;
-  out.recording = compare::make_engine(engine)->play(named.scene, options, [&](double t) {
-    progress.update(fmt::format("{:.2f} of {:.2f} s", t, named.scene.duration));
-    return !interrupted();
-  });
+  out.recording = compare::make_engine(engine)->play(named.scene, options, shown(progress, engine, named));
   out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return out;
 }
@@ -85,12 +92,24 @@ void draw(const NamedScene& named, const Recording& recording, const RunCommand&
   fmt::print("{}", summary_line("trace", file.string()));
 }
 
+/// Prints until when the reference's answer means something; nothing if the second run was interrupted.
+std::optional<double> say_horizon(const NamedScene& named, const compare::EngineOptions& options,
+                                  const Recording& recording) {
+  ProgressLine progress;
+  const compare::Horizon horizon = compare::horizon(named.scene, *compare::make_engine("reference"), options, recording,
+                                                    shown(progress, "horizon", named));
+  if (interrupted()) return {};
+  fmt::print("{}", horizon_text(horizon));
+  return horizon.t;
+}
+
 /// Runs the engines on one scene, prints what they say, and writes their recordings. False if a run did not get to its
 /// end.
 bool run_scene(const NamedScene& named, const RunCommand& command, const std::filesystem::path& out) {
   fmt::print("{}", scene_text(named));
   std::vector<Recording> recordings;
   bool complete = true;
+  std::optional<double> horizon;
   compare::EngineOptions options = command.engine;
   if (command.frames_of_trace) options.frame_times = trace_frames(named.scene);
   for (const std::string& engine : engines(command.engine_name)) {
@@ -100,12 +119,17 @@ bool run_scene(const NamedScene& named, const RunCommand& command, const std::fi
       write_recording(timed.recording, out / engine);
       fmt::print("  recording         {}\n", (out / engine).string());
     }
+    if (engine == "reference" && !command.no_horizon && !interrupted())
+      horizon = say_horizon(named, options, timed.recording);
     if (engine == "realtime" && !command.visual_hand.empty()) draw(named, timed.recording, command, out);
     complete = complete && timed.recording.outcome == Outcome::complete;
     recordings.push_back(std::move(timed.recording));
     if (interrupted()) break;
   }
-  if (recordings.size() == 2) fmt::print("{}", difference_text(compare::difference(recordings[0], recordings[1])));
+  if (recordings.size() == 2) {
+    const double until = horizon.value_or(recordings[0].frames.back().t);
+    fmt::print("{}", difference_text(compare::difference(recordings[0], recordings[1], until), until));
+  }
   return complete;
 }
 
@@ -202,8 +226,14 @@ void add_run(CLI::App& app, Invocation& invocation) {
       ->disable_flag_override()
       ->excludes(command->get_option("--frame-rate"));
   command
-      ->add_flag("--exact-mesh", options->engine.exact_mesh,
-                 "the reference touches the triangles instead of the voxel field: the difference is the voxels' error")
+      ->add_flag(
+          "--exact-mesh", options->engine.exact_mesh,
+          "the reference touches the triangles of smooth bodies, too, instead of the spline of their voxels: the "
+          "difference is the voxels' error")
+      ->disable_flag_override();
+  command
+      ->add_flag("--no-horizon", options->no_horizon,
+                 "spare the second run of the reference that tells until when its answer means something")
       ->disable_flag_override();
   command->add_option("--substeps", options->engine.substeps, "sub-steps a frame of the real-time path")
       ->check(number_in(1, 1000))

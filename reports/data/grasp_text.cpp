@@ -61,6 +61,16 @@ std::string drawn_hand_text(const compare::DrawnHand& hand, double end, double b
                                             readable(hand.release_jump, "m")));
 }
 
+/// Where the law has no unique continuation.
+std::string undecided_text(const Recording& recording) {
+  const Ambiguity& first = recording.ambiguities.front();
+  const std::string who = first.id.belongs_to_body()
+                              ? "body '" + recording.body_names[first.id.phalanx] + "'"
+                              : fmt::format("hand {} {}", int(first.id.hand), phalanx_name(first.id.phalanx));
+  return fmt::format("{} times by the law, first at t = {} s: {} sample {} {}", recording.ambiguities.size(),
+                     number(first.t, 4), who, int(first.id.sample), first.what);
+}
+
 }  // namespace
 
 std::string grasp_text(const compare::GraspSummary& s, const Recording& recording, double seconds) {
@@ -77,14 +87,28 @@ std::string grasp_text(const compare::GraspSummary& s, const Recording& recordin
   out += summary_line("deepest sample", readable(s.max_depth, "m"));
   out += summary_line("energy", readable(s.energy_unexplained, "J") + " unexplained at most");
   if (s.frame.frames > 0) out += summary_line("frame", frames_text(s.frame));
+  const auto surface = recording.provenance.find("surface");
+  if (surface != recording.provenance.end()) out += summary_line("surface", surface->second);
+  if (!recording.ambiguities.empty()) out += summary_line("undecided", undecided_text(recording));
   const auto unconverged = recording.provenance.find("unconverged_substeps");
   if (unconverged != recording.provenance.end())
     out += summary_line("warning", unconverged->second + " sub-steps did not converge");
   return out;
 }
 
-std::string difference_text(const compare::Difference& d) {
-  std::string out = "reference and real time\n";
+std::string horizon_text(const compare::Horizon& h) {
+  const std::string aside = readable(compare::horizon_shift, "m"), fork = readable(compare::horizon_fork, "m");
+  return summary_line("horizon",
+                      h.forks ? fmt::format("this answer means something until t = {} s: started {} aside it is more "
+                                            "than {} elsewhere after that",
+                                            number(h.t, 4), aside, fork)
+                              : fmt::format("this answer means something to the end: started {} aside it is never more "
+                                            "than {} elsewhere",
+                                            aside, readable(h.apart, "m")));
+}
+
+std::string difference_text(const compare::Difference& d, double until) {
+  std::string out = fmt::format("reference and real time, until t = {} s\n", number(until, 4));
   out += summary_line("apart", fmt::format("at most {} and {} degrees, {} rms", readable(d.max_translation, "m"),
                                            number(d.max_rotation * 180 / M_PI, 3), readable(d.rms_translation, "m")));
   out += summary_line("same mode", std::isnan(d.mode_agreement)

@@ -6,6 +6,7 @@
 #include "cases/model/recording.hpp"
 #include "compare/engine/drawn_hand.hpp"
 #include "compare/measure/grasp.hpp"
+#include "compare/study/horizon.hpp"
 
 namespace handhold::reports {
 
@@ -13,8 +14,11 @@ namespace handhold::reports {
 /// penetration, frame times and the energy book.
 [[nodiscard]] std::string grasp_text(const compare::GraspSummary& summary, const Recording& recording, double seconds);
 
-/// How far the two engines' recordings of one scene are apart.
-[[nodiscard]] std::string difference_text(const compare::Difference& difference);
+/// Until when a recording's answer means something.
+[[nodiscard]] std::string horizon_text(const compare::Horizon& horizon);
+
+/// How far the two engines' recordings of one scene are apart up to `until` [s].
+[[nodiscard]] std::string difference_text(const compare::Difference& difference, double until);
 
 /// What the drawn hands show beside a recording: when they stood still, how deep they were against the tracked ones and
 /// against the bound, and how they went back.

@@ -158,6 +158,14 @@ TEST_F(CommandLine, RunSaysWhatHappenedAndWritesRecordings) {
 }
 
 // A palm comes down on a block, 9 mm too far, and goes up again.
+TEST_F(CommandLine, RunSaysUntilWhenTheReferenceMeansSomething) {
+  const Result result = run("run --case C01/slides --engine reference");
+  EXPECT_EQ(result.exit_code, 0) << result.error;
+  EXPECT_NE(result.out.find("this answer means something to the end"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("for edges turn by up to 90 degrees"), std::string::npos) << result.out;
+  EXPECT_EQ(run("run --case C01/slides --engine reference --no-horizon").out.find("means something"), std::string::npos);
+}
+
 TEST_F(CommandLine, RunDrawsTheVisualHandAndWritesItAsATrace) {
   const Eigen::Quaterniond palm_down(Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitX()));
   std::vector<HandKeyframe> way;
