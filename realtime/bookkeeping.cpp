@@ -5,7 +5,7 @@
 
 namespace handhold::realtime {
 
-void World::set_mode(std::size_t slot, Mode mode, double h) {
+void World::set_mode(std::size_t slot, Mode mode, double t, double window) {
   const Mode from = contacts_.mode[slot];
   if (mode == Mode::apart) contacts_.f_O.set(slot, Eigen::Vector3d::Zero());
   if (from == mode) return;
@@ -14,16 +14,34 @@ void World::set_mode(std::size_t slot, Mode mode, double h) {
   if (mode == Mode::apart && contacts_.id[slot].belongs_to_body())
     pairs_.set_clearance(contacts_.id[slot].body, contacts_.id[slot].phalanx, step_, 0);
   moments_[std::size_t(patch_of_slot_[slot])].stale = true;
-  events_.push_back({t_ + h, h, change_of(from, mode), contacts_.id[slot], bodies_[contacts_.id[slot].body].state()});
+  events_.push_back({t, window, change_of(from, mode), contacts_.id[slot], bodies_[contacts_.id[slot].body].state()});
 }
 
 /// A spring that lets go keeps nothing.
-void World::let_go(std::size_t slot, double h) {
+void World::let_go(std::size_t slot, double t, double window) {
   if (contacts_.mode[slot] != Mode::apart) {
     const PatchSlot& patch = contacts_.patches[std::size_t(patch_of_slot_[slot])];
     dissipated_ += stored(slot, steps_[std::size_t(patch.body)].X_WO.inverse() * point_at_start(patch, slot));
   }
-  set_mode(slot, Mode::apart, h);
+  set_mode(slot, Mode::apart, t, window);
+}
+
+Anchor World::anchor(std::size_t slot) const {
+  return {contacts_.C_O[slot], contacts_.n_O[slot], contacts_.face[slot], contacts_.hollow[slot] != 0};
+}
+
+void World::set_anchor(std::size_t slot, const Anchor& anchor) {
+  contacts_.C_O.set(slot, anchor.C_O);
+  contacts_.n_O.set(slot, anchor.n_O);
+  contacts_.face[slot] = anchor.face;
+  contacts_.hollow[slot] = anchor.hollow;
+  if (anchor.hollow) hollow_[std::size_t(patch_of_slot_[slot])] = true;
+}
+
+/// Whether a hand's sample at `p_O`, which is let go, stays below the sheet of its anchor.
+void World::keep_sheet(std::size_t slot, const Eigen::Vector3d& p_O) {
+  contacts_.kept[slot] =
+      !contacts_.id[slot].belongs_to_body() && (p_O - contacts_.C_O[slot]).dot(contacts_.n_O[slot]) < 0;
 }
 
 Eigen::Vector3d World::point_at_start(const PatchSlot& patch, std::size_t slot) const {

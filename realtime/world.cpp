@@ -93,6 +93,7 @@ void World::resize_for_slots() {
   role_.resize(slots, Role::idle);
   near_.resize(slots);
   watched_.resize(patches);
+  hollow_.resize(patches);
   patch_of_slot_.assign(slots, -1);
   for (std::size_t i = 0; i < patches; ++i) {
     const PatchSlot& patch = contacts_.patches[i];
@@ -138,8 +139,7 @@ void World::start_given(const PatchSlot& patch) {
     Anchor anchor;
     const bool near = foot(*source(patch.body).field, p_O - X_OW.R * begin.lag_W, anchor);
     if (!near || (p_O - anchor.C_O).dot(anchor.n_O) >= 0) continue;  // outside: nothing to lag behind
-    contacts_.C_O.set(slot, anchor.C_O);
-    contacts_.n_O.set(slot, anchor.n_O);
+    set_anchor(slot, anchor);
     contacts_.mode[slot] = begin.slipping ? Mode::slip : Mode::stick;
   }
 }
@@ -208,7 +208,7 @@ void World::predict_body(int body, const Scheme& scheme) {
 void World::substep(double h) {
   for (std::size_t i = 0; i < bodies_.size(); ++i) predict_body(int(i), {.h = h});
   lap(Phase::bodies);
-  release_slid_off(h);
+  release_slid_off();
   release_lost_hands(h);
   detect(h);
   lap(Phase::detection);
@@ -240,9 +240,13 @@ void World::add_to_island(int index) {
   island_.slots.emplace_back(index);
 }
 
-/// What slid off an edge has had the force of that step; it ends with it.
-void World::release_slid_off(double h) {
-  for (const std::size_t slot : slid_off_) let_go(slot, h);
+/// What slid off has had the force of that step; it ended with it.
+void World::release_slid_off() {
+  for (const std::size_t slot : slid_off_) {
+    const PatchSlot& patch = contacts_.patches[std::size_t(patch_of_slot_[slot])];
+    keep_sheet(slot, bodies_[std::size_t(patch.body)].X_WO.inverse() * point_at_start(patch, slot));
+    let_go(slot, t_, last_h_);
+  }
   slid_off_.clear();
 }
 
@@ -250,7 +254,10 @@ void World::release_lost_hands(double h) {
   for (const int i : active_patches_) {
     PatchSlot& lost = patch(i);
     if (lost.of_body() || next_[std::size_t(lost.hand)].present) continue;
-    for (int k = 0; k < lost.count; ++k) let_go(lost.slot(k), h);
+    for (int k = 0; k < lost.count; ++k) {
+      let_go(lost.slot(k), t_ + h, h);
+      contacts_.kept[lost.slot(k)] = false;
+    }
     if (!lost.given) drop(lost);
   }
 }

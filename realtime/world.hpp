@@ -109,7 +109,7 @@ class World {
     if (clock_) clock_->lap(phase);
   }
   void release_lost_hands(double h);
-  void release_slid_off(double h);
+  void release_slid_off();
   void predict_body(int body, const Scheme& scheme);
   [[nodiscard]] const Pose& start_pose(const PatchSlot& patch) const;
   [[nodiscard]] const Body& source(int body) const { return scene_.bodies[std::size_t(body)]; }
@@ -140,21 +140,26 @@ class World {
   [[nodiscard]] PatchMotion motion_of_body(const BodyStep& from, const BodyStep& target, const Scheme& scheme) const;
   [[nodiscard]] bool give_roles(const PatchStep& p, const SlotStep& step, const Scheme& scheme);
   [[nodiscard]] Role role_of(const PatchStep& p, const SlotStep& step, std::size_t slot, const Scheme& scheme);
+  void turn_normals(const PatchStep& p, const SlotStep& step, const Scheme& scheme);
   [[nodiscard]] Eigen::Vector3d free_end(const PatchStep& p, const SlotStep& step, std::size_t slot,
                                          const Scheme& scheme) const;
   [[nodiscard]] Role role_of_finger(const PatchStep& p, const SlotStep& step, std::size_t slot, const Scheme& scheme,
-                                    Anchor& anchor) const;
+                                    Anchor& anchor);
   [[nodiscard]] Role role_of_corner(const PatchStep& p, const SlotStep& step, std::size_t slot, const Scheme& scheme,
                                     Anchor& anchor) const;
   [[nodiscard]] bool turns_unforeseen(const Scheme& scheme) const;
   [[nodiscard]] bool changes_mode(const Scheme& scheme) const;
   void finish(const Scheme& scheme);
   void finish_slider(const PatchStep& p, const Slider& s, const Scheme& scheme);
-  void slip(const PatchStep& p, const Slider& s, const Eigen::Vector3d& reach, const Eigen::Vector3d& step);
+  [[nodiscard]] Eigen::Vector3d slip(const PatchStep& p, const Slider& s, const Eigen::Vector3d& pull,
+                                     const Eigen::Vector3d& planned);
 
   // bookkeeping.cpp
-  void set_mode(std::size_t slot, Mode mode, double h);
-  void let_go(std::size_t slot, double h);
+  void set_mode(std::size_t slot, Mode mode, double t, double window);
+  void let_go(std::size_t slot, double t, double window);
+  [[nodiscard]] Anchor anchor(std::size_t slot) const;
+  void set_anchor(std::size_t slot, const Anchor& anchor);
+  void keep_sheet(std::size_t slot, const Eigen::Vector3d& p_O);
   [[nodiscard]] Eigen::Vector3d point_at_start(const PatchSlot& patch, std::size_t slot) const;
   [[nodiscard]] double stored(std::size_t slot, const Eigen::Vector3d& p_O) const;
   void book_body(int body, const Scheme& scheme);
@@ -172,6 +177,7 @@ class World {
   std::vector<Role> role_;             // by slot
   std::vector<int> patch_of_slot_;
   std::vector<std::size_t> slid_off_;  // slots to be let go as the next step begins
+  std::vector<std::uint8_t> hollow_;   // by patch: an anchor may be in a hollow edge or corner
   std::vector<std::uint8_t> watched_;  // by patch of a pair of bodies: apart samples may touch in this step
   std::vector<std::uint8_t> near_;     // by slot of those: which
   std::vector<std::vector<Eigen::Vector3d>> outward_;  // of a body at each of its samples, in O

@@ -20,6 +20,9 @@ void resize(Contacts& contacts, std::size_t size) {
   contacts.n_O.resize(size);
   contacts.from_O.resize(size);
   contacts.from_n_O.resize(size);
+  contacts.face.resize(size, -1);
+  contacts.hollow.resize(size);
+  contacts.kept.resize(size);
   contacts.f_O.resize(size);
 }
 

@@ -32,9 +32,14 @@ struct Contacts {
   std::vector<PatchSlot> patches{};  ///< those of hands by (hand, phalanx, body), then the pool for pairs of bodies
   std::vector<SampleId> id{};
   std::vector<Mode> mode{};
-  Vector3Array p_P{};                 ///< sample point, in the frame of its phalanx or of its own body
-  Vector3Array C_O{}, n_O{};          ///< anchor and outward normal there; mean nothing while apart
-  Vector3Array from_O{}, from_n_O{};  ///< those that a sample which slips had in its last step, before it slid
+  Vector3Array p_P{};                  ///< sample point, in the frame of its phalanx or of its own body
+  Vector3Array C_O{}, n_O{};           ///< anchor and outward normal there; mean nothing while apart
+  Vector3Array from_O{}, from_n_O{};   ///< those that a sample which slips had in its last step, before it slid
+  std::vector<int> face{};             ///< of the anchor, see Anchor
+  std::vector<std::uint8_t> hollow{};  ///< the anchor is in a hollow edge or corner
+  /// Of one that is apart: it was let go inside, by its damper, and is still below the sheet that its anchor lies on:
+  /// that is where it touches again.
+  std::vector<std::uint8_t> kept{};
   Vector3Array f_O{};  ///< force on the object over the last step, in O as that step saw it: see BodyStep
   std::size_t hand_patches{};
 

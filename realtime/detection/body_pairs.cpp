@@ -31,6 +31,7 @@ int BodyPairs::take(const WorldDef& def, int target, int source, Contacts& conta
     const std::size_t slot = patch.slot(i);
     contacts.id[slot] = {SampleId::of_body, std::uint8_t(source), std::uint8_t(target), std::uint8_t(i)};
     contacts.mode[slot] = Mode::apart;
+    contacts.kept[slot] = false;
     contacts.p_P.set(slot, points[std::size_t(i)]);
     contacts.f_O.set(slot, Eigen::Vector3d::Zero());
   }

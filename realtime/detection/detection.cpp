@@ -158,6 +158,7 @@ void World::seed(PatchSlot& p, const Pose& X_OP, const Nearest& nearest) {
   for (int i = 0; i < p.count; ++i) {
     contacts_.p_P.set(p.slot(i), points.p_P[std::size_t(i)]);
     contacts_.mode[p.slot(i)] = Mode::apart;
+    contacts_.kept[p.slot(i)] = false;
     contacts_.f_O.set(p.slot(i), Eigen::Vector3d::Zero());
   }
 }

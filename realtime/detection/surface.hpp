@@ -8,9 +8,14 @@
 namespace handhold::realtime {
 
 /// An anchor: a point of the object's surface with its outward normal, in O.
+///
+/// Near the mesh's creases, and where voxels cannot tell, it lies on a triangle; on smooth parts on the zero of the
+/// interpolated distance, whose normals do not show the facets.
 struct Anchor {
   Eigen::Vector3d C_O{Eigen::Vector3d::Zero()};
   Eigen::Vector3d n_O{Eigen::Vector3d::Zero()};
+  int face{-1};        ///< that it lies on; −1: on a smooth part
+  bool hollow{false};  ///< in a hollow edge or corner, where the normal turns with the pull: see turn_normal
 };
 
 /// The field's interpolated distance at a point, and its gradient by central differences over one voxel: continuous,
@@ -22,14 +27,14 @@ struct SmoothDistance {
 };
 [[nodiscard]] SmoothDistance smooth_distance(const VoxelField& field, const Eigen::Vector3d& p_O);
 
-/// The surface point nearest to `p_O`: along the field's gradient from outside, exactly (triangles) from inside,
-/// however deep, where the nearest sheet is not the one that the gradient of a thin wall points to. False (and `anchor`
-/// untouched) when p is outside beyond the band.
+/// The surface point nearest to `p_O`: exactly (triangles) from inside, however deep, where the nearest sheet is not
+/// the one that the gradient of a thin wall points to, and near creases; else along the field's gradient. False (and
+/// `anchor` untouched) when p is outside beyond the band.
 [[nodiscard]] bool foot(const VoxelField& field, const Eigen::Vector3d& p_O, Anchor& anchor);
 
 /// How the normal of a touched place is taken.
 enum class TouchNormal {
-  smooth,  ///< of the interpolated distance: a mesh's facets are not felt
+  smooth,  ///< away from creases that of the interpolated distance: a mesh's facets are not felt
   face,    ///< of the triangle: edges stay sharp to the last bit
 };
 
@@ -39,16 +44,28 @@ enum class TouchNormal {
 [[nodiscard]] bool find_touch(const VoxelField& field, const Eigen::Vector3d& from_O, const Eigen::Vector3d& to_O,
                               TouchNormal normal, Anchor& anchor);
 
-/// Slides the anchor of a sample that is at `sample_O` by the tangential `step_O` along the surface, voxel by voxel.
-/// What a slider slips it has slipped, so that its spring never holds more than the cone lets it: where the surface
-/// does not take the anchor on (it turns by more than 60 degrees a voxel, or ends in another sheet: an occluding part,
-/// Höll et al. 2018, Fig. 3), it goes straight on with the normal that it has, off the surface. In a hollow edge it is
-/// caught where its sample is no longer ahead.
+/// What moves an anchor in a step, in O.
+struct Slip {
+  Eigen::Vector3d pull_O{Eigen::Vector3d::Zero()};  ///< p + (c/k) v at the end of the step: f* = k (pull − C)
+  Eigen::Vector3d step_O{Eigen::Vector3d::Zero()};  ///< what friction lets it slip if the surface is flat [m]
+  double mu{};                                      ///< μ_d
+  double share{1};  ///< k / (k + c/h): of what f* exceeds friction by, over k, the implicit step slips so much
+};
+
+/// Slides an anchor along the surface by the law of docs/contact-law.md, "Edges and corners": on smooth parts voxel by
+/// voxel, near creases from triangle to triangle. Over an edge it goes on in the nearer face, by what exceeds friction
+/// there; in a hollow one it stays, or goes along it. So it slips less than `step`, or more, where the surface turns.
 ///
-/// False if the sample has slid off: the surface fell away from above it, or it is outside, by more than a voxel, where
-/// the surface does not go on. The anchor has then gone straight, as if its face went on; the sample is to be let go. A
-/// step that is not finite moves nothing.
-[[nodiscard]] bool slide(const VoxelField& field, const Eigen::Vector3d& sample_O, const Eigen::Vector3d& step_O,
-                         Anchor& anchor);
+/// False if nothing presses any more: the pull has come to point out of the body. The anchor is then where that was.
+/// A step that is not finite moves nothing.
+[[nodiscard]] bool slide(const VoxelField& field, const Slip& slip, Anchor& anchor);
+
+/// Moves an anchor without friction to where the surface is nearest to `p_O`, of those places that it gets to downhill:
+/// it stays on its sheet. False if p is no longer below it.
+[[nodiscard]] bool follow(const VoxelField& field, const Eigen::Vector3d& p_O, Anchor& anchor);
+
+/// Gives an anchor in a hollow edge or corner the normal against which `pull_O` − C presses there. Nothing changes if
+/// the pull points out.
+void turn_normal(const VoxelField& field, const Eigen::Vector3d& pull_O, Anchor& anchor);
 
 }  // namespace handhold::realtime

@@ -146,10 +146,28 @@ PatchMotion World::motion_of_body(const BodyStep& from, const BodyStep& target, 
   return m;
 }
 
+/// Anchors in hollow edges and corners get the normals that they are pulled against in this step if no velocity
+/// changes.
+void World::turn_normals(const PatchStep& p, const SlotStep& step, const Scheme& scheme) {
+  const BodyStep& target = steps_[std::size_t(p.target)];
+  const PatchSlot& slots = patch(step.patch);
+  hollow_[std::size_t(step.patch)] = false;
+  for (int i = 0; i < slots.count; ++i) {
+    const std::size_t slot = slots.slot(i);
+    if (contacts_.mode[slot] == Mode::apart || !contacts_.hollow[slot]) continue;
+    const SampleStep sample = sample_step(step.motion, target, scheme.lead(), contacts_, slot);
+    Anchor turned = anchor(slot);
+    const Vector3d pull = sample.reach + p.stiffness.c / p.stiffness.k * sample.v;
+    turn_normal(*source(p.target).field, turned.C_O + target.R.transpose() * pull, turned);
+    set_anchor(slot, turned);
+  }
+}
+
 /// True if a sample is on watch. Roles of samples that all stick, as they did, are what they were.
 bool World::give_roles(const PatchStep& p, const SlotStep& step, const Scheme& scheme) {
   const PatchSlot& slots = patch(step.patch);
   const StickMoments& moments = moments_[std::size_t(step.patch)];
+  if (hollow_[std::size_t(step.patch)]) turn_normals(p, step, scheme);
   if (!moments.stale && moments.count == slots.count) return false;
   bool watches = false;
   for (int i = 0; i < slots.count; ++i) {
@@ -170,8 +188,7 @@ Role World::role_of(const PatchStep& p, const SlotStep& step, std::size_t slot, 
   const Role role =
       finger ? role_of_finger(p, step, slot, scheme, anchor) : role_of_corner(p, step, slot, scheme, anchor);
   if (role == Role::idle) return role;
-  contacts_.C_O.set(slot, anchor.C_O);
-  contacts_.n_O.set(slot, anchor.n_O);
+  set_anchor(slot, anchor);
   return role;
 }
 
@@ -188,12 +205,17 @@ Vector3d World::free_end(const PatchStep& p, const SlotStep& step, std::size_t s
 }
 
 /// A hand's sample that is apart takes part if it would be inside at the end of the step: k d + c d' > 0 alone would
-/// let a damper push before the surface is reached.
+/// let a damper push before the surface is reached. One that its damper let go inside follows its sheet till then.
 Role World::role_of_finger(const PatchStep& p, const SlotStep& step, std::size_t slot, const Scheme& scheme,
-                           Anchor& anchor) const {
+                           Anchor& anchor) {
   const PatchSlot& patch = contacts_.patches[std::size_t(step.patch)];
   const VoxelField& field = *source(p.target).field;
   const Vector3d to = free_end(p, step, slot, scheme);
+  if (contacts_.kept[slot]) {
+    anchor = this->anchor(slot);
+    if (follow(field, to, anchor)) return Role::free;
+    contacts_.kept[slot] = false;
+  }
   const Vector3d from = steps_[std::size_t(p.target)].X_WO.inverse() * (start_pose(patch) * contacts_.p_P[slot]);
   const double interpolation = 0.5 * field.grid().spacing;
   if (field.distance(to).distance >= (to - from).norm() + interpolation) return Role::idle;  // no surface on the way
@@ -223,6 +245,8 @@ Role World::role_of_corner(const PatchStep& p, const SlotStep& step, std::size_t
   const double crossed = height > 0 && depth > 0 ? height / (height + depth) : 0;
   const Vector3d at = start + crossed * (to - start);
   anchor.C_O = at - (at - anchor.C_O).dot(anchor.n_O) * anchor.n_O;
+  anchor.face = -1;
+  anchor.hollow = false;
   if (lies_on(field, anchor.C_O + aside, slack)) return depth > -1e-3 * slack ? Role::free : Role::watch;
   // That face ends before: an edge cuts into the body between the sample and where it was looked from.
   return find_touch(field, start, to, TouchNormal::face, anchor) ? Role::free : Role::idle;
@@ -280,40 +304,54 @@ void World::finish(const Scheme& scheme) {
 }
 
 void World::finish_slider(const PatchStep& p, const Slider& s, const Scheme& scheme) {
-  if (!(s.trial.N > 0)) return let_go(s.slot, scheme.h);
-  const BodyStep& target = steps_[std::size_t(p.target)];
-  contacts_.f_O.set(s.slot, target.R.transpose() * s.f);
-  const bool slides = s.sliding && s.trial.t_norm > p.friction.mu_dynamic * s.trial.N;
   Vector3d dv, dw;
   p.relative(steps_, dv, dw);
   const Vector3d change = dv + dw.cross(s.arm), v = s.v - change;
   const Vector3d reach = s.trial.lag - s.trial.depth * s.element.n;  // p − C at θ h
-  const double closing = (change - s.element.v_p).dot(s.element.n);
-  Vector3d stretch = s.trial.v_t;  // rate of the lag
+  const Vector3d end = reach + (scheme.h - scheme.reach()) * v;      // ... and at h, if C stays
+  const BodyStep& target = steps_[std::size_t(p.target)];
+  const Matrix3d R_OW = target.R.transpose();
+  if (!(s.trial.N > 0)) {
+    keep_sheet(s.slot, contacts_.C_O[s.slot] + R_OW * end);
+    return let_go(s.slot, t_ + scheme.h, scheme.h);
+  }
+  contacts_.f_O.set(s.slot, R_OW * s.f);
+  const bool slides = s.sliding && s.trial.t_norm > p.friction.mu_dynamic * s.trial.N;
+  Vector3d rate = s.element.v_p - change;  // of p − C, as the damper feels it
   if (slides) {
     const Vector3d before = s.trial.lag - scheme.reach() * s.trial.v_t;
-    stretch = (lag_after_sliding(s.element, s.tangent, before) - before) / scheme.reach();
-    slip(p, s, reach + (scheme.h - scheme.reach()) * v, scheme.h * (s.trial.v_t - stretch));
+    const Vector3d planned =
+        scheme.h * s.trial.v_t - (lag_after_sliding(s.element, s.tangent, before) - before) / scheme.theta;
+    const Vector3d done = slip(p, s, end + s.element.damping / s.element.stiffness * rate, planned);
+    rate -= done / scheme.h;
+    const Vector3d force = s.element.stiffness * (reach - scheme.theta * done) + s.element.damping * rate;
+    dissipated_ += std::max(0.0, force.dot(done));
   }
-  dissipated_ += scheme.h * s.element.damping * (closing * closing + stretch.squaredNorm());
+  dissipated_ += scheme.h * s.element.damping * rate.squaredNorm();
   if (p.source < 0) {
     book_hand(p.target, s.f.dot(v), s.f, s.arm.cross(s.f), scheme);
     if (s.entering) book_appearance(s, reach - scheme.reach() * v);
   }
-  set_mode(s.slot, slides ? Mode::slip : Mode::stick, scheme.h);
+  set_mode(s.slot, slides ? Mode::slip : Mode::stick, t_ + scheme.h, scheme.h);
 }
 
-/// The work of friction is that on what the slider slips, wherever the surface lets its anchor go.
-void World::slip(const PatchStep& p, const Slider& s, const Vector3d& reach, const Vector3d& step) {
+/// Moves the anchor of a sample that slips, by `planned` if its face goes on; what it slipped. `pull` is f*/k at the
+/// end of the step. All in W.
+Vector3d World::slip(const PatchStep& p, const Slider& s, const Vector3d& pull, const Vector3d& planned) {
   const BodyStep& target = steps_[std::size_t(p.target)];
   const Matrix3d R_OW = target.R.transpose();
-  Anchor anchor{contacts_.C_O[s.slot], contacts_.n_O[s.slot]};
-  contacts_.from_O.set(s.slot, anchor.C_O);
-  contacts_.from_n_O.set(s.slot, anchor.n_O);
-  if (!slide(*source(p.target).field, anchor.C_O + R_OW * reach, R_OW * step, anchor)) slid_off_.push_back(s.slot);
-  contacts_.C_O.set(s.slot, anchor.C_O);
-  contacts_.n_O.set(s.slot, anchor.n_O);
-  dissipated_ += s.tangent.dot(step);
+  Anchor moved = anchor(s.slot);
+  const Vector3d from = moved.C_O;
+  contacts_.from_O.set(s.slot, from);
+  contacts_.from_n_O.set(s.slot, moved.n_O);
+  const double k = s.element.stiffness;
+  const Slip slip{.pull_O = from + R_OW * pull,
+                  .step_O = R_OW * planned,
+                  .mu = p.friction.mu_dynamic,
+                  .share = k / (k + s.element.damping / s.element.h)};
+  if (!slide(*source(p.target).field, slip, moved)) slid_off_.push_back(s.slot);
+  set_anchor(s.slot, moved);
+  return target.R * (moved.C_O - from);
 }
 
 }  // namespace handhold::realtime

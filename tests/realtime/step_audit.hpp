@@ -191,9 +191,11 @@ class StepAudit {
     const Anchor anchor{(slides ? now.from_O : now.C_O)[slot], (slides ? now.from_n_O : now.n_O)[slot]};
     if (touched(now, slot)) {
       check_touch(patch, now.id[slot], anchor);
-      if (!patch.of_body()) check_way_in(patch, now.p_P[slot], now.id[slot], anchor);
+      if (!patch.of_body() && !now.kept[slot]) check_way_in(patch, now.p_P[slot], now.id[slot], anchor);
     } else {
-      faults_.require(anchor.C_O == contacts_.C_O[slot] && anchor.n_O == contacts_.n_O[slot], Name{now.id[slot]},
+      // In a hollow edge a normal turns with the pull.
+      const bool same = anchor.n_O == contacts_.n_O[slot] || contacts_.hollow[slot];
+      faults_.require(anchor.C_O == contacts_.C_O[slot] && same, Name{now.id[slot]},
                       slides ? " slides from another anchor than it had" : " sticks, but its anchor moved");
     }
     if (!slides || now.n_O[slot].dot(anchor.n_O) < 0) return;  // round a rim: forward, and so behind where it began
@@ -211,7 +213,13 @@ class StepAudit {
     rounding_energy_ += s.rounding() * (end.norm() + h_ * (s.velocity().norm() + s.target->velocity(s.p).norm()));
     if (s.scheme.theta == 1)
       terms_.numerical -= 0.5 * s.k * h_ * h_ * (e.closing * e.closing + e.stretch.squaredNorm());
-    terms_.curving += stored(e.r1 - moved) - stored(e.r1 - e.slid);
+    // What the book has of a way of the anchor: the spring it leaves, and what damper and friction take on it.
+    const auto booked = [&](const Vector3d& way) {
+      const Vector3d rate = e.v - (e.v.dot(s.n) + e.closing) * s.n - way / h_;
+      const Vector3d force = s.k * (e.r0 + s.scheme.reach() * e.v - s.scheme.theta * way) + s.c * rate;
+      return stored(e.r1 - way) + h_ * s.c * rate.squaredNorm() + std::max(0.0, force.dot(way));
+    };
+    if (s.slides) terms_.curving += booked(moved) - booked(e.slid);
     terms_.turning += stored(end) - stored(e.r1 - moved);
     if (s.source)
       terms_.turning += h_ * s.f.dot(s.seen_before() - s.straight_before());

@@ -84,55 +84,71 @@ TEST(FindTouch, FindsNothingOnTheWayOutOrPast) {
   EXPECT_FALSE(find_touch(*box, {0, 0, 0.02}, {0, 0, std::nan("")}, TouchNormal::face, anchor));
 }
 
+/// Without friction, to below a pull that is `depth` below the end of the step.
+Slip dragged(const Anchor& anchor, const Vector3d& step, double depth) {
+  return {.pull_O = anchor.C_O + step - depth * anchor.n_O, .step_O = step};
+}
+
 /// An arc of 0.5 rad on a ball: C stays on it, n stays radial.
 TEST(Slide, FollowsACurvedSurface) {
   Anchor anchor;
   ASSERT_TRUE(foot(*ball, {0, 0, 0.0305}, anchor));
   for (int i = 0; i < 50; ++i) {
     const Vector3d along = Vector3d::UnitY().cross(anchor.n_O);
-    EXPECT_TRUE(slide(*ball, 0.8 * anchor.C_O, 0.0003 * along, anchor));
+    EXPECT_TRUE(slide(*ball, dragged(anchor, 0.0003 * along, 0.006), anchor));
   }
   EXPECT_NEAR(std::atan2(anchor.C_O.x(), anchor.C_O.z()), 0.5, 0.005);
   EXPECT_NEAR(anchor.C_O.norm(), 0.03, 5e-5);                   // facets and voxels' second order h²/R = 3e-5
   EXPECT_LT(anchor.n_O.cross(anchor.C_O).norm() / 0.03, 0.02);  // 1 degree
 }
 
-/// Over an edge, 2 mm before its end, with a sample deep inside: down the side face, never off the surface nor through
-/// the box.
-TEST(Slide, TurnsOverAnEdge) {
-  Anchor anchor;
-  ASSERT_TRUE(foot(*box, {0.028, 0, 0.0105}, anchor));
-  for (int i = 0; i < 10; ++i)
-    EXPECT_TRUE(slide(*box, {0.02, 0, -0.009}, 0.001 * Vector3d::UnitY().cross(anchor.n_O), anchor));
-  EXPECT_LT(std::abs(box->distance(anchor.C_O).distance), 1e-4);  // a tenth of a voxel
-  EXPECT_LT(anchor.C_O.z(), 0.01);
-  EXPECT_GT(anchor.n_O.x(), 0.9);
+/// On a plane, with friction: the step as planned, to rounding, across a diagonal of the face and within a face.
+TEST(Slide, TakesTheStepThatIsPlannedOnAPlane) {
+  for (const Vector3d& step : {Vector3d(0.001, 0.0005, 0), Vector3d(0.02, -0.013, 0), Vector3d(-0.005, 0.03, 0)}) {
+    Anchor anchor;
+    ASSERT_TRUE(find_touch(*box, {0.005, -0.014, 0.02}, {0.005, -0.014, 0.005}, TouchNormal::smooth, anchor));
+    const Vector3d start = anchor.C_O, ahead = step.normalized();
+    Slip slip = dragged(anchor, step, 0.005);
+    slip.pull_O += 0.4 * 0.005 * ahead;
+    slip.mu = 0.4;
+    EXPECT_TRUE(slide(*box, slip, anchor));
+    EXPECT_LT((anchor.C_O - start - step).norm(), 1e-9);  // floats of the smooth part
+    EXPECT_LT((anchor.n_O - Vector3d::UnitZ()).norm(), 1e-6);
+    EXPECT_FALSE(anchor.hollow);
+  }
 }
 
-/// The sample has passed the edge: straight on, to the last bit but rounding, and off.
-TEST(Slide, LeavesASampleThatSlidOffAnEdge) {
-  Anchor anchor{{0.028, 0, 0.01}, Vector3d::UnitZ()};
-  EXPECT_FALSE(slide(*box, {0.05, 0, 0.005}, {0.02, 0, 0}, anchor));
-  EXPECT_LT((anchor.C_O - Vector3d(0.048, 0, 0.01)).norm(), 1e-15);
-  EXPECT_EQ(anchor.n_O, Vector3d::UnitZ());
+/// Over a convex edge, to the face that is nearer to the pull.
+TEST(Slide, GoesOverAConvexEdge) {
+  Anchor anchor{{0.028, 0.001, 0.01}, Vector3d::UnitZ()};
+  EXPECT_TRUE(follow(*box, {0.0295, 0.001, -0.007}, anchor));
+  EXPECT_LT((anchor.C_O - Vector3d(0.03, 0.001, -0.007)).norm(), 1e-12);
+  EXPECT_EQ(anchor.n_O, Vector3d::UnitX());
+}
+
+/// The pull has passed the edge: there the anchor stays.
+TEST(Slide, EndsAtAnEdgeBeyondWhichNothingPresses) {
+  Anchor anchor{{0.028, 0.001, 0.01}, Vector3d::UnitZ()};
+  EXPECT_FALSE(slide(*box, dragged(anchor, {0.02, 0, 0}, 0.005), anchor));
+  EXPECT_LT((anchor.C_O - Vector3d(0.03, 0.001, 0.01)).norm(), 1e-12);
 }
 
 /// Over the floor of a mug into its wall (inner radius 34 mm), 17 mm in one step, with a sample inside the wall; and
-/// with one beyond it.
+/// with one beyond it, 4 mm outside the mug: an anchor does not jump to another sheet.
 TEST(Slide, IsCaughtInAHollowEdge) {
   const auto mug =
       voxelize(make_mug({.radius = 0.04, .height = 0.08, .wall = 0.006, .segments = 48}), {.voxel_size = 0.001});
   Anchor floor;
-  ASSERT_TRUE(find_touch(*mug, {0, 0.02, 0}, {0, 0.02, -0.039}, TouchNormal::smooth, floor));
+  ASSERT_TRUE(find_touch(*mug, {0.001, 0.02, 0}, {0.001, 0.02, -0.039}, TouchNormal::smooth, floor));
   ASSERT_GT(floor.n_O.z(), 0.999);
-  Anchor anchor = floor;
-  const Vector3d inside = floor.C_O + Vector3d(0, 0.017, -0.001);
-  EXPECT_TRUE(slide(*mug, inside, {0, 0.017, 0}, anchor));
-  EXPECT_LT(std::abs(mug->distance(anchor.C_O).distance), 1e-4);  // a tenth of a voxel
-  EXPECT_NEAR(anchor.C_O.y(), 0.034, 0.001);                      // a voxel
-  anchor = floor;
-  EXPECT_FALSE(slide(*mug, floor.C_O + Vector3d(0, 0.024, -0.001), {0, 0.023, 0}, anchor));  // 4 mm outside the mug
-  EXPECT_LT((anchor.C_O - floor.C_O - Vector3d(0, 0.023, 0)).norm(), 1e-15);
+  for (const double way : {0.017, 0.024}) {
+    Anchor anchor = floor;
+    EXPECT_TRUE(slide(*mug, dragged(floor, {0, way, 0}, 0.001), anchor));
+    EXPECT_NEAR(anchor.C_O.head<2>().norm(), 0.034, 0.034 * (1 - std::cos(M_PI / 48)) + 1e-9);  // a facet's sagitta
+    EXPECT_NEAR(anchor.C_O.z(), floor.C_O.z(), 1e-9);
+    EXPECT_TRUE(anchor.hollow);
+    EXPECT_LT(anchor.n_O.y(), -0.9);  // against the wall, which it is deeper in than in the floor
+  }
 }
 
 /// An anchor right on the edge between a mug and its handle (random grasp 77696), which smooth distances round off by a
@@ -145,14 +161,15 @@ TEST(Slide, NeverEndsBehindWhereItBegan) {
   for (const double length : {1e-6, 1e-5, 1e-4, 5e-4, 1e-3}) {
     Anchor anchor{{0.036661, -0.003886, -0.022991}, -Vector3d::UnitZ()};
     const Anchor before = anchor;
-    EXPECT_TRUE(slide(*mug, {0.035606, -0.003409, -0.021804}, length * way, anchor));
+    const Slip slip{.pull_O = {0.035606, -0.003409, -0.021804}, .step_O = length * way, .mu = 0.4};
+    EXPECT_TRUE(slide(*mug, slip, anchor));
     EXPECT_GE((anchor.C_O - before.C_O).dot(way), -projection_error) << length;
   }
 }
 
 TEST(Slide, IgnoresAStepThatIsNotFinite) {
   Anchor anchor{{0, 0, 0.01}, {0, 0, 1}};
-  EXPECT_TRUE(slide(*box, {0, 0, 0}, {std::nan(""), 0, 0}, anchor));
+  EXPECT_TRUE(slide(*box, {.step_O = {std::nan(""), 0, 0}}, anchor));
   EXPECT_EQ(anchor.C_O, Vector3d(0, 0, 0.01));
 }
 

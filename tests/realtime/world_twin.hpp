@@ -55,6 +55,7 @@ struct WorldTwin {
     // Directions in bodies' frames and scalars. What the twin looks for anew are pairs, islands, moments and distances.
     twin.role_ = world.role_;
     twin.slid_off_ = world.slid_off_;
+    twin.hollow_ = world.hollow_;
     twin.watched_ = world.watched_;
     twin.near_ = world.near_;
     twin.pairs_ = world.pairs_;
