@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "cases/catalogue/builders/prescribed_hand.hpp"
-#include "cases/geometry/mass_properties.hpp"
 #include "cases/geometry/voxelizer.hpp"
+#include "cases/model/mass_properties.hpp"
 
 namespace handhold::catalogue {
 namespace {
