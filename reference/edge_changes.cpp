@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What happens at events to an anchor at an edge or corner, and what the law does not decide there.
 
 #include "reference/contacts.hpp"

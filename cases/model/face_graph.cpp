@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "cases/model/face_graph.hpp"
 
 #include <algorithm>

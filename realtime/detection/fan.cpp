@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "realtime/detection/fan.hpp"
 
 #include <cmath>
@@ -34,9 +35,9 @@ int side_beyond(const Face& f, int side, const Face& beyond) {
 }
 
 /// Gathers the point of a fan that is nearest to a pull, sector by sector.
-class Nearest {
+class NearestInFan {
  public:
-  Nearest(const FaceGraph& faces, const Vector3d& pull) : faces_(faces), pull_(pull) {}
+  NearestInFan(const FaceGraph& faces, const Vector3d& pull) : faces_(faces), pull_(pull) {}
 
   /// The sector of face `id` between its sides that hold the place: one side, or the two at `corner`.
   void offer(int id, int side, int corner) {
@@ -96,7 +97,7 @@ Vector3d normal_at(const FaceGraph& faces, int vertex) {
 
 /// Which way is out at the nearest point of a fan tells which side of the surface the pull is on (Baerentzen and
 /// Aanaes, IEEE TVCG 11, 2005).
-Vector3d outward(const FaceGraph& faces, const Nearest& nearest) {
+Vector3d outward(const FaceGraph& faces, const NearestInFan& nearest) {
   const auto [face, side, corner] = nearest.place();
   const Face& f = faces[face];
   if (corner >= 0 && nearest.w().isZero(0)) return normal_at(faces, f.vertex[std::size_t(corner)]);
@@ -146,7 +147,7 @@ int face_along(const FaceGraph& faces, const Place& place, const Vector3d& n_O) 
 }
 
 Pull split(const FaceGraph& faces, const Place& place, const Vector3d& pull) {
-  Nearest nearest(faces, pull);
+  NearestInFan nearest(faces, pull);
   const Face& f = faces[place.face];
   if (place.corner >= 0) {
     const int vertex = f.vertex[std::size_t(place.corner)];

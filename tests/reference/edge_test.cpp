@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The law at edges, corners and thin walls: closed forms on exact triangles, and the plates and plateaus around them.
 
 #include <algorithm>
