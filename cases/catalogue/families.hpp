@@ -50,6 +50,9 @@ namespace handhold::catalogue {
 [[nodiscard]] Case oblique_blow_case();         // H09
 [[nodiscard]] Case support_case();              // H10
 
+// A finger at edges and corners: X01 to X08.
+[[nodiscard]] std::vector<Case> edge_cases();
+
 // One function a family of rigid cases (L1); their problems: builders/rigid.hpp.
 
 [[nodiscard]] std::vector<Case> rigid_flights();      // A01 to A03, B02

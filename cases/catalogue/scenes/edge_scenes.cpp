@@ -63,6 +63,27 @@ Mesh solid_of_cells(const std::array<double, 3>& walls, unsigned full) {
 
 const std::array<double, 3> halves{-half, 0, half};
 
+struct Motion {
+  Vector3d at{Vector3d::Zero()}, velocity{Vector3d::Zero()};
+};
+
+/// Minimum jerk along each leg, then a rest.
+Motion on_the_way(const Vector3d& start, const std::vector<Leg>& legs, double t) {
+  Vector3d from = start;
+  double begin = 0;
+  for (const Leg& leg : legs) {
+    if (t < begin + leg.duration) {
+      const double s = std::max(0.0, (t - begin) / leg.duration);
+      const Vector3d way = leg.to - from;
+      return {from + s * s * s * (10 - 15 * s + 6 * s * s) * way, 30 * s * s * (1 - s) * (1 - s) / leg.duration * way};
+    }
+    begin += leg.duration + rest;
+    from = leg.to;
+    if (t < begin) break;
+  }
+  return {from, Vector3d::Zero()};
+}
+
 }  // namespace
 
 Mesh box_between(const Vector3d& low, const Vector3d& high) {
@@ -90,20 +111,8 @@ EdgeScene edge_scene(const std::string& name, const Mesh& mesh, double voxel_siz
     all.arrivals.push_back(end + leg.duration + rest);
     end = all.arrivals.back();
   }
-  all.path = [start, legs](double t) -> Vector3d {
-    Vector3d from = start;
-    double begin = 0;
-    for (const Leg& leg : legs) {
-      if (t < begin + leg.duration) {
-        const double s = std::max(0.0, (t - begin) / leg.duration);
-        return from + s * s * s * (10 - 15 * s + 6 * s * s) * (leg.to - from);
-      }
-      begin += leg.duration + rest;
-      from = leg.to;
-      if (t < begin) break;
-    }
-    return from;
-  };
+  all.path = [start, legs](double t) { return on_the_way(start, legs, t).at; };
+  all.velocity = [start, legs](double t) { return on_the_way(start, legs, t).velocity; };
   Body body;
   body.name = "solid";
   body.field = voxelize(mesh, {.voxel_size = voxel_size});
@@ -166,10 +175,10 @@ EdgeScene into_hollow_corner(double voxel_size) {
 
 EdgeScene released_in_plate(double voxel_size) {
   EdgeContact contact;
-  contact.damping = 4;
+  contact.damping = 10;
   const Mesh plate = box_between({-half, -half, -2 * mm}, {half, half, 2 * mm});
   return edge_scene("released in a plate", plate, voxel_size, contact, {1 * mm, 2 * mm, 3 * mm},
-                    {{0.3, {1 * mm, 2 * mm, -1 * mm}}, {0.004, {1 * mm, 2 * mm, -0.6 * mm}}});
+                    {{0.3, {1 * mm, 2 * mm, -1.2 * mm}}, {0.06, {1 * mm, 2 * mm, -0.2 * mm}}});
 }
 
 }  // namespace handhold::catalogue

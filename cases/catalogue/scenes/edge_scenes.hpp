@@ -30,7 +30,8 @@ namespace handhold::catalogue {
 /// One sample of a prescribed finger on one fixed body, without gravity. Frames O and W are the same.
 struct EdgeScene {
   Scene scene{};
-  std::function<Eigen::Vector3d(double t)> path{};  ///< of the sample, in W [m]; at rest before 0 and after the end
+  std::function<Eigen::Vector3d(double t)> path{};      ///< of the sample, in W [m]; at rest before 0 and after the end
+  std::function<Eigen::Vector3d(double t)> velocity{};  ///< its derivative [m/s]
   std::vector<double> arrivals{};  ///< when the sample has come to the end of each of its ways, and rests there [s]
 };
 
@@ -61,8 +62,8 @@ struct Leg {
 [[nodiscard]] EdgeScene along_groove(double voxel_size);
 /// To (−2, −3, −2) mm in a hollow corner, and out along z to 5 mm.
 [[nodiscard]] EdgeScene into_hollow_corner(double voxel_size);
-/// 3 mm deep in a plate of 4 mm (|z| <= 2 mm), drawn back by 0.4 mm so fast that its damper, 4 N s/m, lets go of it
-/// there: it rests 2.6 mm below the face through which it came, 1.4 mm above the other.
+/// 3.2 mm deep in a plate of 4 mm (|z| <= 2 mm), drawn back by 1 mm so fast that its damper, 10 N s/m, lets go of it
+/// there: it rests 2.2 mm below the face through which it came, 1.8 mm above the other.
 [[nodiscard]] EdgeScene released_in_plate(double voxel_size);
 
 }  // namespace handhold::catalogue
