@@ -28,7 +28,7 @@ class Polyhedron {
   /// The largest |turn| of all edges [rad].
   [[nodiscard]] double sharpest() const;
 
-  [[nodiscard]] bool has_creases() const { return !graph_.creases().empty(); }
+  [[nodiscard]] bool has_creases() const { return graph_.crease_count() > 0; }
   [[nodiscard]] bool convex_crease(int face, int side) const {
     return graph_[face].edge[std::size_t(side)] == EdgeKind::convex;
   }

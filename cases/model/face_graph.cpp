@@ -83,7 +83,9 @@ void FaceGraph::find_creases() {
       to.beyond[i] = skip_slivers(f, to.beyond[i], i);
       if (to.beyond[i] < 0) continue;
       const double turn = opening(to, i, (*this)[to.beyond[i]]) - std::numbers::pi;
-      if (std::abs(turn) > crease_angle) to.edge[i] = turn > 0 ? EdgeKind::convex : EdgeKind::hollow;
+      if (std::abs(turn) <= crease_angle) continue;
+      to.edge[i] = turn > 0 ? EdgeKind::convex : EdgeKind::hollow;
+      if (f < to.beyond[i]) ++creases_;
     }
   faces_ = std::move(joined);
 }
@@ -123,17 +125,6 @@ void FaceGraph::gather_rings(std::size_t vertices) {
   ring_.resize(start_.back());
   std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
   visit([&](int f, std::size_t v) { ring_[next[v]++] = f; });
-}
-
-std::vector<FaceGraph::Crease> FaceGraph::creases() const {
-  std::vector<Crease> all;
-  for (int f = 0; f < size(); ++f)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Face& face = (*this)[f];
-      if (face.edge[i] != EdgeKind::smooth && f < face.beyond[i])
-        all.push_back({face.corner[i], face.corner[(i + 1) % 3]});
-    }
-  return all;
 }
 
 }  // namespace handhold

@@ -54,11 +54,9 @@ class FaceGraph {
     return {ring_.data() + start_[std::size_t(vertex)], ring_.data() + start_[std::size_t(vertex) + 1]};
   }
 
-  /// Ends of an edge that is a crease, in O.
-  struct Crease {
-    Eigen::Vector3d a{Eigen::Vector3d::Zero()}, b{Eigen::Vector3d::Zero()};
-  };
-  [[nodiscard]] std::vector<Crease> creases() const;
+  /// Edges of the mesh that are creases. A body that has one is touched on its triangles everywhere: where a smooth
+  /// part would end, and how it would go on to the crease, no mesh says.
+  [[nodiscard]] int crease_count() const { return creases_; }
 
  private:
   void join();
@@ -69,6 +67,7 @@ class FaceGraph {
   std::vector<Face> faces_;
   std::vector<std::uint32_t> start_{0};  // by vertex: its faces in ring_
   std::vector<int> ring_;
+  int creases_{};
 };
 
 }  // namespace handhold

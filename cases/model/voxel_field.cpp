@@ -19,11 +19,7 @@ using Eigen::Vector3d;
 using Eigen::Vector3i;
 
 constexpr double on_surface = 1e-6;  // nearer than this the direction to the query is noise [voxels]
-constexpr double crease_reach =
-    6;  // of near_crease [voxels]: a central difference at a face takes nodes 2 voxels below
-        // it and 2 aside, and those see the face beyond a right-angled edge from 4 voxels on;
-        // one for the stride of an anchor, one for the node that stands for a point
-constexpr double same_hit = 1e-9;  // hits this near along a ray are one place, seen by two triangles [voxels]
+constexpr double same_hit = 1e-9;    // hits this near along a ray are one place, seen by two triangles [voxels]
 
 void require(bool holds, const char* what) {
   if (!holds) throw InputError(std::string("voxel field: ") + what + " (voxelize the mesh again)");
@@ -99,7 +95,6 @@ VoxelField::VoxelField(Data data) : data_(std::move(data)) {
   for (const Vector3d& v : data_.mesh.vertices) bounds_.extend(v);
   faces_ = FaceGraph(data_.mesh);
   build_normals();
-  mark_creases();
 }
 
 void VoxelField::build_normals() {
@@ -141,39 +136,6 @@ void VoxelField::build_normals() {
     triangle_edges_[sides[i].triangle][sides[i].side] = static_cast<int>(edge_normals_.size()) - 1;
   }
   for (Vector3d& n : edge_normals_) n = unit_or_zero(n);
-}
-
-void VoxelField::mark_creases() {
-  const Grid& grid = data_.grid;
-  const std::vector<FaceGraph::Crease> creases = faces_.creases();
-  if (creases.empty()) return;
-  near_crease_.assign(data_.occupied.size(), 0);
-  const double reach = crease_reach * grid.spacing;
-  for (const auto& [a, b] : creases) {
-    const Vector3d low = (a.cwiseMin(b) - grid.origin).array() - reach,
-                   high = (a.cwiseMax(b) - grid.origin).array() + reach;
-    const Vector3i first = (low / grid.spacing).array().ceil().max(0).cast<int>();
-    const Vector3i last = (high / grid.spacing).array().floor().cast<int>().min(grid.size.array() - 1);
-    const Vector3d along = b - a;
-    for (int k = first.z(); k <= last.z(); ++k)
-      for (int j = first.y(); j <= last.y(); ++j)
-        for (int i = first.x(); i <= last.x(); ++i) {
-          const Vector3d p = grid.node(i, j, k) - a;
-          const double at = std::clamp(p.dot(along) / along.squaredNorm(), 0.0, 1.0);
-          if ((p - at * along).squaredNorm() > squared(reach)) continue;
-          const std::size_t bit = grid.index(i, j, k);
-          near_crease_[bit >> 6] |= std::uint64_t{1} << (bit & 63);
-        }
-  }
-}
-
-bool VoxelField::near_crease(const Vector3d& p_O) const {
-  if (near_crease_.empty()) return false;
-  const Grid& grid = data_.grid;
-  const Vector3d x = (p_O - grid.origin) / grid.spacing + Vector3d::Constant(0.5);
-  if (!(x.minCoeff() >= 0 && (x.array() < grid.size.cast<double>().array()).all())) return false;
-  const std::size_t bit = grid.index(int(x.x()), int(x.y()), int(x.z()));
-  return near_crease_[bit >> 6] >> (bit & 63) & 1;
 }
 
 bool VoxelField::occupied(int i, int j, int k) const {

@@ -83,10 +83,6 @@ class VoxelField {
   [[nodiscard]] bool occupied(int i, int j, int k) const;
   [[nodiscard]] std::size_t occupied_count() const;
 
-  /// Whether a crease of the mesh is so near (6 voxels) that distances between the nodes there are not those to one
-  /// smooth surface. False off the grid.
-  [[nodiscard]] bool near_crease(const Eigen::Vector3d& p_O) const;
-
   /// Trilinear signed distance and its gradient at `p_O`. Off the grid: band + distance to the grid, gradient away from
   /// it.
   [[nodiscard]] DistanceSample distance(const Eigen::Vector3d& p_O) const;
@@ -107,7 +103,6 @@ class VoxelField {
   struct Search;
 
   void build_normals();
-  void mark_creases();
   [[nodiscard]] double reach(const Eigen::Vector3d& p_O) const;
   [[nodiscard]] Search search(const Eigen::Vector3d& p_O, double radius) const;
   [[nodiscard]] Eigen::Vector3d feature_normal(int triangle, int feature) const;
@@ -115,7 +110,6 @@ class VoxelField {
   Data data_;
   Eigen::AlignedBox3d bounds_;
   FaceGraph faces_;
-  std::vector<std::uint64_t> near_crease_;  // a bit a node; empty: there is no crease
   std::vector<Triangle> triangles_;
   std::vector<Eigen::Vector3d> vertex_normals_;     // angle weighted
   std::vector<Eigen::Vector3d> edge_normals_;       // sum over the edge's triangles, normalised

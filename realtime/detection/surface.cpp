@@ -18,6 +18,9 @@ constexpr double projection_error = 0.1;  // of `settle` [voxels]
 constexpr double no_motion = 1e-9;        // a shorter way has no direction [voxels]
 constexpr double on_feature = 1e-6;       // a point this near to an edge or a corner lies on it [voxels]
 
+/// A body with creases is touched on its triangles.
+bool has_creases(const VoxelField& field) { return field.faces().crease_count() > 0; }
+
 /// The same at the rim of the grid, where not all neighbours exist: six more queries.
 Vector3d central_differences(const VoxelField& field, const Vector3d& p) {
   const double h = field.grid().spacing;
@@ -71,7 +74,7 @@ Anchor on_triangle(const VoxelField& field, const Vector3d& C_O, int face, const
 /// tell.
 Anchor anchor_at(const VoxelField& field, const Vector3d& p_O, int face, const Vector3d& pull_O, TouchNormal normal) {
   Anchor smooth;
-  if (normal == TouchNormal::smooth && !field.near_crease(p_O) && settle(field, p_O, smooth) &&
+  if (normal == TouchNormal::smooth && !has_creases(field) && settle(field, p_O, smooth) &&
       smooth.n_O.dot(field.faces()[face].n) > smallest_turn_cosine &&
       (smooth.C_O - p_O).norm() < 0.5 * field.grid().spacing)
     return smooth;
@@ -107,14 +110,13 @@ class Sliding {
   [[nodiscard]] const Anchor& anchor() const { return anchor_; }
 
   /// False if nothing presses any more.
-  bool go() { return field_.near_crease(anchor_.C_O) ? walk() : glide(); }
+  bool go() { return has_creases(field_) || anchor_.face >= 0 ? walk() : glide(); }
 
  private:
-  /// On a smooth part, stride by stride of a voxel; the rest by triangles where it comes near a crease, or voxels
-  /// cannot tell.
+  /// On a smooth body, stride by stride of a voxel; the rest by triangles where voxels cannot tell.
   bool glide() {
     const double voxel = field_.grid().spacing, longest = std::max(voxel, length_ / most_strides);
-    for (int i = 0; i < 4 * most_strides && !field_.near_crease(anchor_.C_O); ++i) {
+    for (int i = 0; i < 4 * most_strides; ++i) {
       const double stride = std::min(rest_, longest);
       if (!go_on(field_, stride * direction_, anchor_)) return walk();
       slid_ += stride;
@@ -150,8 +152,8 @@ class Sliding {
     return true;
   }
 
-  /// From a smooth part onto its triangles: no way at all where they are flat, a fraction of a voxel where they round
-  /// it off.
+  /// From the smooth surface onto its triangles: no way at all where they are flat, a fraction of a voxel where they
+  /// round it off.
   bool set_down() {
     const std::optional<SurfacePoint> at = field_.closest(anchor_.C_O, 4 * field_.grid().spacing);
     if (!at) return false;
@@ -255,11 +257,11 @@ SmoothDistance smooth_distance(const VoxelField& field, const Vector3d& p_O) {
 
 bool foot(const VoxelField& field, const Vector3d& p_O, Anchor& anchor) {
   const bool is_out = field.distance(p_O).distance >= 0;
-  if (is_out && !field.near_crease(p_O)) return settle(field, p_O, anchor);
+  if (is_out && !has_creases(field)) return settle(field, p_O, anchor);
   const std::optional<SurfacePoint> nearest =
       is_out ? field.closest(p_O, field.band()) : nearest_from_inside(field, p_O);
   if (!nearest) return false;
-  if (field.near_crease(nearest->p_O) || !settle(field, nearest->p_O, anchor))
+  if (has_creases(field) || !settle(field, nearest->p_O, anchor))
     anchor = on_triangle(field, nearest->p_O, nearest->triangle, p_O);
   return true;
 }

@@ -9,12 +9,12 @@ namespace handhold::realtime {
 
 /// An anchor: a point of the object's surface with its outward normal, in O.
 ///
-/// Near the mesh's creases, and where voxels cannot tell, it lies on a triangle; on smooth parts on the zero of the
+/// On a body with creases, and where voxels cannot tell, it lies on a triangle; on a smooth body on the zero of the
 /// interpolated distance, whose normals do not show the facets.
 struct Anchor {
   Eigen::Vector3d C_O{Eigen::Vector3d::Zero()};
   Eigen::Vector3d n_O{Eigen::Vector3d::Zero()};
-  int face{-1};        ///< that it lies on; −1: on a smooth part
+  int face{-1};        ///< that it lies on; −1: on the smooth surface
   bool hollow{false};  ///< in a hollow edge or corner, where the normal turns with the pull: see turn_normal
 };
 
@@ -28,13 +28,13 @@ struct SmoothDistance {
 [[nodiscard]] SmoothDistance smooth_distance(const VoxelField& field, const Eigen::Vector3d& p_O);
 
 /// The surface point nearest to `p_O`: exactly (triangles) from inside, however deep, where the nearest sheet is not
-/// the one that the gradient of a thin wall points to, and near creases; else along the field's gradient. False (and
-/// `anchor` untouched) when p is outside beyond the band.
+/// the one that the gradient of a thin wall points to, and on a body with creases; else along the field's gradient.
+/// False (and `anchor` untouched) when p is outside beyond the band.
 [[nodiscard]] bool foot(const VoxelField& field, const Eigen::Vector3d& p_O, Anchor& anchor);
 
 /// How the normal of a touched place is taken.
 enum class TouchNormal {
-  smooth,  ///< away from creases that of the interpolated distance: a mesh's facets are not felt
+  smooth,  ///< on a smooth body that of the interpolated distance: a mesh's facets are not felt
   face,    ///< of the triangle: edges stay sharp to the last bit
 };
 
@@ -52,9 +52,10 @@ struct Slip {
   double share{1};  ///< k / (k + c/h): of what f* exceeds friction by, over k, the implicit step slips so much
 };
 
-/// Slides an anchor along the surface by the law of docs/contact-law.md, "Edges and corners": on smooth parts voxel by
-/// voxel, near creases from triangle to triangle. Over an edge it goes on in the nearer face, by what exceeds friction
-/// there; in a hollow one it stays, or goes along it. So it slips less than `step`, or more, where the surface turns.
+/// Slides an anchor along the surface by the law of docs/contact-law.md, "Edges and corners": on a smooth body voxel by
+/// voxel, on one with creases from triangle to triangle. Over an edge it goes on in the nearer face, by what exceeds
+/// friction there; in a hollow one it stays, or goes along it. So it slips less than `step`, or more, where the surface
+/// turns.
 ///
 /// False if nothing presses any more: the pull has come to point out of the body. The anchor is then where that was.
 /// A step that is not finite moves nothing.

@@ -43,6 +43,17 @@ Claim force(const std::string& quantity, const Vector3d& axis, double t, double 
           .scale = scale};
 }
 
+/// The same where it is friction's, of a finger that slid until it came to rest after `way` in `duration`.
+Claim friction(const std::string& quantity, const Vector3d& axis, double t, double truth, double scale, double way,
+               double duration) {
+  Claim claim = force(quantity, axis, t, truth, scale);
+  const double jerk = 60 * way / std::pow(duration, 3);  // at the end of a way of minimum jerk
+  claim.stepped.value += contact.stiffness * jerk / (12 * std::pow(90, 3));
+  claim.stepped.reason +=
+      "; between frames the hand is known to a dt^2/12, a = (60 D/T^3) dt in its last one: it may stick that early";
+  return claim;
+}
+
 /// How far the finger has come along `axis` when an event happens. It moves at `speed` then.
 Claim way_at(const std::string& quantity, EventKind kind, int n, const Vector3d& axis, double truth, double speed,
              const std::string& source) {
@@ -55,8 +66,7 @@ Claim way_at(const std::string& quantity, EventKind kind, int n, const Vector3d&
           .stepped = {.value = largest_acceleration / (12 * 90 * 90),
                       .per_step = 1.01 * speed,
                       .reason = "the event shows at the end of its sub-step, speed times h later, + 1 %; between "
-                                "frames the hand is known to a dt^2/12"},
-          .converges = true};
+                                "frames the hand is known to a dt^2/12"}};
 }
 
 Claim count(EventKind kind, const std::string& quantity, int truth) {
@@ -100,9 +110,10 @@ Run pressed(double beside, double tilt) {
   const auto make = [=] { return pressed_beside(beside, depth, tilt, voxel_size); };
   const Eigen::Vector2d f = closed_form::pressed(contact, depth, tilt);
   const double t = rest_after(make(), 0), scale = contact.stiffness * depth;
-  return run_of(fmt::format("{:.1f} mm beside it, at {:.0f} degrees", beside / mm, tilt / degree), make,
-                {force("force across the edge", Vector3d::UnitX(), t, f.x(), scale),
-                 force("force into the face", Vector3d::UnitZ(), t, f.y(), scale)});
+  return run_of(
+      fmt::format("{:.1f} mm beside it, at {:.0f} degrees", beside / mm, tilt / degree), make,
+      {friction("force across the edge", Vector3d::UnitX(), t, f.x(), scale, (depth + 1 * mm) / std::cos(tilt), 0.5),
+       force("force into the face", Vector3d::UnitZ(), t, f.y(), scale)});
 }
 
 Case leaves_convex_edge_case() {
@@ -180,7 +191,8 @@ Case hollow_edge_case() {
                        force("f_z in the edge", Vector3d::UnitZ(), rest_after(edge, 1), caught.z(), scale),
                        way_at("way of the finger when it breaks away", EventKind::breakaway, 2, Vector3d::UnitX(),
                               (edge.path(t) - edge.path(0)).x(), edge.velocity(t).x(), "L2: x = mu_s d - c V/k"),
-                       force("f_x at the end", Vector3d::UnitX(), rest_after(edge, 2), contact.stiffness * lag, scale),
+                       friction("f_x at the end", Vector3d::UnitX(), rest_after(edge, 2), contact.stiffness * lag,
+                                scale, 9 * mm, 1),
                        force("f_z at the end", Vector3d::UnitZ(), rest_after(edge, 2), caught.z(), scale)})}};
 }
 
@@ -196,7 +208,7 @@ Case groove_case() {
           .note = "As X01. Two Coulomb faces would give mu_d k (d1 + d2): chosen, see docs/contact-law.md.",
           .runs = {run_of(
               "drawn", make,
-              {force("force along the groove", Vector3d::UnitY(), t, drag, drag),
+              {friction("force along the groove", Vector3d::UnitY(), t, drag, drag, 10 * mm, 1),
                force("f_x", Vector3d::UnitX(), t, press, drag), force("f_z", Vector3d::UnitZ(), t, press, drag)})}};
 }
 
@@ -205,18 +217,19 @@ Case hollow_corner_case() {
   const EdgeScene edge = make();
   const Vector3d caught = closed_form::held(contact, {-2 * mm, -3 * mm, -2 * mm});
   const double drag = closed_form::groove_drag(contact, 2 * mm, 3 * mm), scale = caught.norm();
-  return {.id = "X07",
-          .title = "A finger is caught in a hollow corner and leaves along its edge",
-          .truth_level = "L2",
-          .statement = "It is led to (-2, -3, -2) mm in a corner of three faces, then out along z to 5 mm.",
-          .formula = "caught: f = k p; then f_z = mu_d k sqrt(x^2 + y^2)",
-          .note = "As X01.",
-          .runs = {run_of("in and out", make,
-                          {force("f_x in the corner", Vector3d::UnitX(), rest_after(edge, 1), caught.x(), scale),
-                           force("f_y in the corner", Vector3d::UnitY(), rest_after(edge, 1), caught.y(), scale),
-                           force("f_z in the corner", Vector3d::UnitZ(), rest_after(edge, 1), caught.z(), scale),
-                           force("f_z on the way out", Vector3d::UnitZ(), rest_after(edge, 2), drag, scale),
-                           force("f_y on the way out", Vector3d::UnitY(), rest_after(edge, 2), caught.y(), scale)})}};
+  return {
+      .id = "X07",
+      .title = "A finger is caught in a hollow corner and leaves along its edge",
+      .truth_level = "L2",
+      .statement = "It is led to (-2, -3, -2) mm in a corner of three faces, then out along z to 5 mm.",
+      .formula = "caught: f = k p; then f_z = mu_d k sqrt(x^2 + y^2)",
+      .note = "As X01.",
+      .runs = {run_of("in and out", make,
+                      {force("f_x in the corner", Vector3d::UnitX(), rest_after(edge, 1), caught.x(), scale),
+                       force("f_y in the corner", Vector3d::UnitY(), rest_after(edge, 1), caught.y(), scale),
+                       force("f_z in the corner", Vector3d::UnitZ(), rest_after(edge, 1), caught.z(), scale),
+                       friction("f_z on the way out", Vector3d::UnitZ(), rest_after(edge, 2), drag, scale, 7 * mm, 1),
+                       force("f_y on the way out", Vector3d::UnitY(), rest_after(edge, 2), caught.y(), scale)})}};
 }
 
 Case kept_sheet_case() {
