@@ -50,7 +50,7 @@ namespace handhold::catalogue {
 [[nodiscard]] Case oblique_blow_case();         // H09
 [[nodiscard]] Case support_case();              // H10
 
-// A finger at edges and corners: X01 to X08.
+// A finger at edges and corners: X01 to X09.
 [[nodiscard]] std::vector<Case> edge_cases();
 
 // One function a family of rigid cases (L1); their problems: builders/rigid.hpp.

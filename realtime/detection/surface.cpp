@@ -273,7 +273,9 @@ bool find_touch(const VoxelField& field, const Vector3d& from_O, const Vector3d&
   if (!std::isfinite(length)) return false;
   if (length > no_motion * field.grid().spacing) {
     const Vector3d direction = way / length;
-    const std::optional<RayHit> hit = field.raycast(from_O, direction, length);
+    // A step that ended on the surface may by rounding have ended in it: the next one sets out a hair before.
+    const double hair = no_motion * field.grid().spacing;
+    const std::optional<RayHit> hit = field.raycast(from_O - hair * direction, direction, length + hair);
     if (hit && hit->n_O.dot(direction) < 0) {
       anchor = anchor_at(field, hit->p_O, hit->triangle, to_O, normal);
       return true;

@@ -19,12 +19,13 @@ bool touches_sliding(const Slider& slider, Mode mode, const Friction& friction) 
   return mode == Mode::apart && t.t_norm > friction.mu_static * std::max(t.N, 0.0);
 }
 
-/// Rate of what a damper feels. Along the normal, one that comes in from outside begins at the surface: its impulse
-/// over the step is that of the way inside, c d. So there is no force before the surface is reached.
+/// Rate of p − C as a damper feels it. For one that comes in from outside the way begins at the anchor: the damper's
+/// impulse over the step is that of the way inside, c (p − C). So there is no force before the surface is reached, and
+/// a touch from any direction is inside the cone that it comes through.
 Vector3d rate(const Slider& slider, const SampleStep& sample, const Scheme& scheme) {
   const Vector3d start = sample.reach - scheme.reach() * sample.v;
   if (!slider.entering || start.dot(sample.n) <= 0) return sample.v;
-  return sample.v + (sample.reach / scheme.reach() - sample.v).dot(sample.n) * sample.n;
+  return sample.reach / scheme.reach();
 }
 
 /// Sticking sliders outside the static cone start to slide; true if there was one.

@@ -22,13 +22,13 @@ namespace handhold::realtime::testing {
 ///               of bodies Σ h f·(v as the target sees it − v straight), of hands −Σ h (mean f − f)·u of the centre:
 ///               inertia, forces and arms are those of one orientation, the book knows the true ones. Of second order
 ///               in the angle h w of a step, either sign; none of it in a scene where nothing turns
-///   touching    Σ −N n·r0' + ½ k |tangential r0'|²: the pressure on a sample that comes in acts over the whole step,
-///   on
-///               its way outside as well: a loss. Its anchor need not be below where it began
+///   touching    Σ f·r0': the force on a sample that comes in acts over the whole step, on its way outside as well: a
+///               loss
 ///   appearing   Σ ½ k |r0'|² of samples of a body that are inside as the step begins; of a hand's it is booked as its
-///   work curving     Σ of sliding anchors that follow a curved surface instead of the straight way: of second order in
-///   the
-///               step where it is smooth. Positive where the surface comes up to meet the sample
+///               work
+///   curving     Σ of sliding anchors: what the book has of their true way, with the mean of the spring's forces, against
+///               the straight way that was planned, with the last. Of second order in the step where the way is smooth;
+///               positive where the surface comes up to meet the sample
 struct EnergyTerms {
   double numerical{}, turning{}, touching{}, appearing{}, curving{};  // [J]
 

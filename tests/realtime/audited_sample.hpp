@@ -72,7 +72,8 @@ struct AuditedElement {
   Vector3d v{Vector3d::Zero()};                         // relative velocity
   bool entered{false};                                  // from outside: its damper feels what is inside of its way
   Vector3d r0{Vector3d::Zero()}, r1{Vector3d::Zero()};  // p − C as the step begins and ends
-  double closing{};                                     // rate of d that the damper feels
+  Vector3d rate{Vector3d::Zero()};                      // of p − C as the damper feels it
+  double closing{};                                     // that of d
   Vector3d stretch{Vector3d::Zero()};                   // rate of the lag
   Vector3d slid{Vector3d::Zero()};                      // way of the slider, straight
   Vector3d f{Vector3d::Zero()};                         // force on the target
@@ -85,9 +86,10 @@ struct AuditedElement {
     entered = s.touched && r0.dot(s.n) > 0;
     const Vector3d r = r0 + reach * v;
     const double d = -r.dot(s.n);
-    closing = entered ? d / reach : -v.dot(s.n);
+    rate = entered ? Vector3d(r / reach) : v;
+    closing = -rate.dot(s.n);
     const double N = s.k * d + s.c * closing;
-    const Vector3d lag = r + d * s.n, v_t = v - v.dot(s.n) * s.n, pull = s.k * lag + s.c * v_t;
+    const Vector3d lag = r + d * s.n, v_t = rate + closing * s.n, pull = s.k * lag + s.c * v_t;
     stretch = v_t;
     f = pull - N * s.n;
     if (!s.slides) return;

@@ -70,6 +70,10 @@ Played play(const EdgeScene& edge, int substeps, double dt = frame) {
 /// accelerations a of 0.1 m/s² at most.
 double way_of(double speed, int substeps) { return speed * frame / substeps + 0.1 * frame * frame / 12; }
 
+/// A way of minimum jerk comes to rest with the jerk 60 D/T³, so in its last frame with an acceleration of that times
+/// dt: by what a dt²/12 makes of it what slides may stick too early [m].
+double early_stick(double way, double duration) { return 60 * way / std::pow(duration, 3) * std::pow(frame, 3) / 12; }
+
 /// E1, E2: where a sample that is dragged over a convex edge is let go.
 TEST(Edges, AConvexEdgeIsLeftWhereTheClosedFormSays) {
   for (const double turn : {30 * degree, 60 * degree, 75 * degree, 90 * degree, 110 * degree})
@@ -96,7 +100,9 @@ TEST(Edges, WhatIsPressedBesideAConvexEdgeDoesNotFeelIt) {
       for (const int substeps : all_substeps) {
         const Played played = play(catalogue::pressed_beside(beside, 4 * mm, tilt, voxel), substeps);
         const Eigen::Vector2d expected = closed_form::pressed(contact, 4 * mm, tilt);
-        EXPECT_NEAR(played.arrived[0].f_W.x(), expected.x(), rounding_force) << beside << ' ' << tilt;
+        const bool slid = std::tan(tilt) > contact.friction.mu_static;
+        const double early = slid ? contact.stiffness * early_stick(5 * mm / std::cos(tilt), 0.5) : 0;
+        EXPECT_NEAR(played.arrived[0].f_W.x(), expected.x(), rounding_force + early) << beside << ' ' << tilt;
         EXPECT_NEAR(played.arrived[0].f_W.z(), expected.y(), rounding_force) << beside << ' ' << tilt;
       }
 }
@@ -131,7 +137,7 @@ TEST(Edges, AHollowEdgeHoldsAndLetsGo) {
     EXPECT_GT(x, expected - 0.1 * frame * frame / 12) << substeps;
     EXPECT_LT(x, expected + way_of(speed, substeps)) << substeps;
     const double lag = closed_form::drag(contact, 2 * mm) / contact.stiffness;
-    EXPECT_NEAR(played.arrived[2].C_W.x(), 6 * mm - lag, rounding_force / contact.stiffness);
+    EXPECT_NEAR(played.arrived[2].C_W.x(), 6 * mm - lag, early_stick(9 * mm, 1));
   }
 }
 
@@ -140,8 +146,8 @@ TEST(Edges, AGrooveDragsAsAFilletOfNoRadius) {
   for (const int substeps : all_substeps) {
     const Played played = play(catalogue::along_groove(voxel), substeps);
     const double drag = closed_form::groove_drag(contact, 2 * mm, 2 * mm);
-    EXPECT_NEAR(played.arrived[2].f_W.y(), drag, rounding_force) << substeps;
-    EXPECT_NEAR(played.arrived[2].C_W.y(), 5 * mm - drag / contact.stiffness, rounding_force / contact.stiffness);
+    EXPECT_NEAR(played.arrived[2].f_W.y(), drag, contact.stiffness * early_stick(10 * mm, 1)) << substeps;
+    EXPECT_NEAR(played.arrived[2].C_W.y(), 5 * mm - drag / contact.stiffness, early_stick(10 * mm, 1));
   }
 }
 
@@ -152,7 +158,7 @@ TEST(Edges, AHollowCornerHoldsAndIsLeftAlongItsEdge) {
     const Vector3d held = closed_form::held(contact, {-2 * mm, -3 * mm, -2 * mm});
     EXPECT_LT((played.arrived[1].f_W - held).norm(), rounding_force) << substeps;
     const double drag = closed_form::groove_drag(contact, 2 * mm, 3 * mm);
-    EXPECT_NEAR(played.arrived[2].f_W.z(), drag, rounding_force) << substeps;
+    EXPECT_NEAR(played.arrived[2].f_W.z(), drag, contact.stiffness * early_stick(7 * mm, 1)) << substeps;
   }
 }
 
@@ -173,7 +179,9 @@ TEST(Edges, DoNotDependOnTheVoxels) {
     const Played played = play(edge, 16);
     EXPECT_NEAR(edge.path(played.last(EventKind::release)).x(), 0.8 * mm, way_of(0.02, 16)) << size;
     const Played corner = play(catalogue::into_hollow_corner(size), 4);
-    EXPECT_NEAR(corner.arrived[2].f_W.z(), closed_form::groove_drag(contact, 2 * mm, 3 * mm), rounding_force) << size;
+    EXPECT_NEAR(corner.arrived[2].f_W.z(), closed_form::groove_drag(contact, 2 * mm, 3 * mm),
+                contact.stiffness * early_stick(7 * mm, 1))
+        << size;
   }
 }
 

@@ -213,13 +213,16 @@ class StepAudit {
     rounding_energy_ += s.rounding() * (end.norm() + h_ * (s.velocity().norm() + s.target->velocity(s.p).norm()));
     if (s.scheme.theta == 1)
       terms_.numerical -= 0.5 * s.k * h_ * h_ * (e.closing * e.closing + e.stretch.squaredNorm());
-    // What the book has of a way of the anchor: the spring it leaves, and what damper and friction take on it.
-    const auto booked = [&](const Vector3d& way) {
-      const Vector3d rate = e.v - (e.v.dot(s.n) + e.closing) * s.n - way / h_;
-      const Vector3d force = s.k * (e.r0 + s.scheme.reach() * e.v - s.scheme.theta * way) + s.c * rate;
+    // What the book has of a way of the anchor: the spring it leaves, and what damper and friction take on it, by a
+    // spring that is as `lag` says. The scheme's own terms are those of the lag at θ h.
+    const auto booked = [&](const Vector3d& way, const Vector3d& lag) {
+      const Vector3d rate = e.rate - way / h_;
+      const Vector3d force = s.k * lag + s.c * rate;
       return stored(e.r1 - way) + h_ * s.c * rate.squaredNorm() + std::max(0.0, force.dot(way));
     };
-    if (s.slides) terms_.curving += booked(moved) - booked(e.slid);
+    const Vector3d at_theta = e.r0 + s.scheme.reach() * e.v - s.scheme.theta * e.slid;
+    const Vector3d start = e.entered ? Vector3d(Vector3d::Zero()) : e.r0;
+    if (s.slides) terms_.curving += booked(moved, 0.5 * (start + e.r1 - moved)) - booked(e.slid, at_theta);
     terms_.turning += stored(end) - stored(e.r1 - moved);
     if (s.source)
       terms_.turning += h_ * s.f.dot(s.seen_before() - s.straight_before());
@@ -228,7 +231,7 @@ class StepAudit {
     if (!s.touched)
       terms_.turning -= stored(start_of(patch, slot)) - stored(e.r0);
     else if (e.entered)
-      terms_.touching += s.f.dot(s.n) * e.r0.dot(s.n) + stored(e.r0 - e.r0.dot(s.n) * s.n);
+      terms_.touching += s.f.dot(e.r0);
     else
       book_appearance(slot, s.source != nullptr, stored(e.r0));
   }

@@ -219,7 +219,7 @@ TEST(Edge, NeverGivesEnergy) {
 
 // On a convex edge the law does not decide; beside it, it does.
 TEST(Edge, SaysWhereTheLawDoesNotDecide) {
-  const auto touch = [](double beside) { return play(catalogue::pressed_beside(beside, 1 * mm, 0, voxel)); };
+  const auto touch = [](double beside) { return play(catalogue::pressed_beside(beside, 1 * mm, 0.3, voxel)); };
   const Recording on = touch(0);
   ASSERT_EQ(on.ambiguities.size(), 1u);
   EXPECT_EQ(on.ambiguities[0].t, on.events[0].t);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// X01 to X08: one sample of a finger at the edges and corners of a body that does not move.
+// X01 to X09: one sample of a finger at the edges and corners of a body that does not move.
 
 #include <cmath>
 #include <functional>
@@ -232,6 +232,32 @@ Case hollow_corner_case() {
                        force("f_y on the way out", Vector3d::UnitY(), rest_after(edge, 2), caught.y(), scale)})}};
 }
 
+Case groove_end_case() {
+  const double depth = 2 * mm, half = 30 * mm, from = 25 * mm;
+  const auto make = [=] {
+    return edge_scene(
+        "over the end of a groove", hollow_edge(), voxel_size, contact, {3 * mm, from, 1 * mm},
+        {{0.3, {3 * mm, from, -depth}}, {0.5, {-depth, from, -depth}}, {1, {-depth, half + 5 * mm, -depth}}});
+  };
+  const EdgeScene edge = make();
+  const double lag = closed_form::groove_drag(contact, depth, depth) / contact.stiffness;
+  double early = edge.arrivals[1], late = edge.arrivals[2];
+  for (int i = 0; i < 100; ++i) {
+    const double t = 0.5 * (early + late);
+    (edge.path(t).y() < half + lag ? early : late) = t;
+  }
+  return {.id = "X09",
+          .title = "A finger drawn over the end of a groove",
+          .truth_level = "L2",
+          .statement = "As X06, but over the end of the hollow edge, where it meets the end face in a saddle corner.",
+          .formula = "let go at mu_d sqrt(d1^2 + d2^2) beyond the end face, as over a convex edge",
+          .note = "As X01. T is neither convex nor a union of two half spaces there.",
+          .runs = {run_of("over the end", make,
+                          {way_at("way of the finger when it is let go", EventKind::release, 1, Vector3d::UnitY(),
+                                  half + lag - from, edge.velocity(early).y(), "L2: lag mu_d sqrt(d1^2 + d2^2)"),
+                           count(EventKind::release, "releases", 1)})}};
+}
+
 Case kept_sheet_case() {
   const auto make = [] { return released_in_plate(voxel_size); };
   const double f = -contact.stiffness * 2.2 * mm;
@@ -252,7 +278,8 @@ std::vector<Case> edge_cases() {
   return {leaves_convex_edge_case(), pressed_beside_edge_case(),
           held_beyond_edge_case(),   back_in_case(),
           hollow_edge_case(),        groove_case(),
-          hollow_corner_case(),      kept_sheet_case()};
+          hollow_corner_case(),      kept_sheet_case(),
+          groove_end_case()};
 }
 
 }  // namespace handhold::catalogue

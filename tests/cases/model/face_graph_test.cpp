@@ -88,4 +88,5 @@ TEST(FaceGraph, GoesOnWhereTheOutsideEnds) {
     }
 }
 
+}  // namespace
 }  // namespace handhold
