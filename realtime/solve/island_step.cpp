@@ -324,12 +324,12 @@ void World::finish_slider(const PatchStep& p, const Slider& s, const Scheme& sch
         scheme.h * s.trial.v_t - (lag_after_sliding(s.element, s.tangent, before) - before) / scheme.theta;
     const Vector3d done = slip(p, s, end + s.element.damping / s.element.stiffness * rate, planned);
     rate -= done / scheme.h;
-    // What the anchor takes from the spring: the mean of the spring's forces before and after, times its way.
+    const Vector3d force = s.element.stiffness * (reach - scheme.theta * done) + s.element.damping * rate;
+    // A slide at its limit has the force of the step's end all the way; a spring that relaxes began with more.
     const Vector3d start = reach - scheme.reach() * v;
     const bool enters = s.entering && start.dot(s.element.n) > 0;  // with a spring that is not stretched
-    const Vector3d mean = 0.5 * (end - done + (enters ? Vector3d(Vector3d::Zero()) : start));
-    const Vector3d force = s.element.stiffness * mean + s.element.damping * rate;
-    dissipated_ += std::max(0.0, force.dot(done));
+    const double relaxed = enters ? 0 : (start - (end - done)).dot(done);
+    dissipated_ += std::max(0.0, force.dot(done)) + (scheme.theta - 0.5) * s.element.stiffness * std::max(0.0, relaxed);
   }
   dissipated_ += scheme.h * s.element.damping * rate.squaredNorm();
   if (p.source < 0) {

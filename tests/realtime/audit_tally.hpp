@@ -26,11 +26,12 @@ namespace handhold::realtime::testing {
 ///               loss
 ///   appearing   Σ ½ k |r0'|² of samples of a body that are inside as the step begins; of a hand's it is booked as its
 ///               work
-///   curving     Σ of sliding anchors: what the book has of their true way, with the mean of the spring's forces, against
-///               the straight way that was planned, with the last. Of second order in the step where the way is smooth;
-///               positive where the surface comes up to meet the sample
+///   curving     Σ of sliding anchors that do not go the straight way that was planned. Of second order in the step
+///   where
+///               the surface is smooth; positive where it comes up to meet the sample
+///   relaxing    Σ ½ k (e0 − e1)·slip of springs that relax while they slide: what the numerical term took too much
 struct EnergyTerms {
-  double numerical{}, turning{}, touching{}, appearing{}, curving{};  // [J]
+  double numerical{}, turning{}, touching{}, appearing{}, curving{}, relaxing{};  // [J]
 
   EnergyTerms& operator+=(const EnergyTerms& other) {
     numerical += other.numerical;
@@ -38,9 +39,10 @@ struct EnergyTerms {
     touching += other.touching;
     appearing += other.appearing;
     curving += other.curving;
+    relaxing += other.relaxing;
     return *this;
   }
-  [[nodiscard]] double sum() const { return numerical + turning + touching + appearing + curving; }
+  [[nodiscard]] double sum() const { return numerical + turning + touching + appearing + curving + relaxing; }
 };
 
 /// What an audit saw; ratios are to what is allowed, so 1 is a fault.

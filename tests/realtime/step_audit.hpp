@@ -213,16 +213,17 @@ class StepAudit {
     rounding_energy_ += s.rounding() * (end.norm() + h_ * (s.velocity().norm() + s.target->velocity(s.p).norm()));
     if (s.scheme.theta == 1)
       terms_.numerical -= 0.5 * s.k * h_ * h_ * (e.closing * e.closing + e.stretch.squaredNorm());
-    // What the book has of a way of the anchor: the spring it leaves, and what damper and friction take on it, by a
-    // spring that is as `lag` says. The scheme's own terms are those of the lag at θ h.
-    const auto booked = [&](const Vector3d& way, const Vector3d& lag) {
+    // What the book has of a way of the anchor: the spring it leaves, and what damper and friction take on it.
+    const auto booked = [&](const Vector3d& way) {
       const Vector3d rate = e.rate - way / h_;
-      const Vector3d force = s.k * lag + s.c * rate;
+      const Vector3d force = s.k * (e.r0 + s.scheme.reach() * e.v - s.scheme.theta * way) + s.c * rate;
       return stored(e.r1 - way) + h_ * s.c * rate.squaredNorm() + std::max(0.0, force.dot(way));
     };
-    const Vector3d at_theta = e.r0 + s.scheme.reach() * e.v - s.scheme.theta * e.slid;
-    const Vector3d start = e.entered ? Vector3d(Vector3d::Zero()) : e.r0;
-    if (s.slides) terms_.curving += booked(moved, 0.5 * (start + e.r1 - moved)) - booked(e.slid, at_theta);
+    if (s.slides) {
+      terms_.curving += booked(moved) - booked(e.slid);
+      const double relaxed = e.entered ? 0 : (e.r0 - (e.r1 - moved)).dot(moved);
+      terms_.relaxing += (s.scheme.theta - 0.5) * s.k * std::max(0.0, relaxed);
+    }
     terms_.turning += stored(end) - stored(e.r1 - moved);
     if (s.source)
       terms_.turning += h_ * s.f.dot(s.seen_before() - s.straight_before());
