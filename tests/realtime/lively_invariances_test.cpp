@@ -304,7 +304,7 @@ TEST_P(LivelyInvariance, OfFrictionThatIsNotUsedInEveryFrame) {
   std::cout << lively().name << ": " << same << " frames to the last bit, " << in_doubt
             << " in which a sample may touch or let go (" << several << " with another solution), of " << frame_count()
             << "\n";
-  EXPECT_GT(same + in_doubt, frame_count() / 3);
+  EXPECT_GT(same + in_doubt, 30);  // enough to mean something: what sticks beside an edge soon needs more
   EXPECT_LE(several, lively().name == "KnockedTower" ? 1 : 0);
 }
 
