@@ -30,9 +30,11 @@ Horizon horizon(const Scene& scene, const Recording& run, const Recording& besid
   for (std::size_t i = 0; i < frames && !h.forks; ++i) {
     const Frame &a = run.frames[i], &b = beside.frames[i];
     double apart = 0;
-    for (std::size_t k = 0; k < scene.bodies.size(); ++k)
-      apart = std::max(apart, distance(scene.bodies[k], a.bodies[k].X_WO, b.bodies[k].X_WO));
-    h.forks = !(apart <= horizon_fork);
+    for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+      const double d = distance(scene.bodies[k], a.bodies[k].X_WO, b.bodies[k].X_WO);
+      h.forks = h.forks || !(d <= horizon_fork);  // also if it is not a number
+      apart = std::max(apart, d);
+    }
     if (!h.forks) h.t = a.t, h.apart = std::max(h.apart, apart);
   }
   return h;
