@@ -59,12 +59,20 @@ struct Measure {
   std::optional<Mode> mode{};
 };
 
-/// How far a measured value may lie from the truth, and why: value + per_accuracy a + per_step h. It is derived from
-/// the problem for a whole class of methods; which class an engine belongs to is its error model (compare/judge).
+/// How far a measured value may lie from the truth, and why: how it follows from what a method errs by,
+///
+///   value + per_step h + per_delay d + α^recoveries (per_accuracy a + per_noise n + per_rounding r).
+///
+/// It is derived from the problem for a whole class of methods; which class an engine belongs to, and its h, d, α, a, n
+/// and r, are its error model (compare/judge/error_model.hpp).
 struct Limit {
   double value{};         ///< in the quantity's unit, or a fraction of the truth
   double per_accuracy{};  ///< times the accuracy a of a method that controls its error
+  double per_noise{};     ///< times what is cleared away of the state at an event
+  double per_rounding{};  ///< times what a state of size 1 is rounded by in a second of steps [unit s]
   double per_step{};      ///< times the step h of a method of first order [unit/s]
+  double per_delay{};     ///< times the time d by which an event is found late [unit/s]
+  int recoveries{0};      ///< of a force that follows the state: 1 through the speed of sliding, 2 through the gap
   bool relative{false};
   std::string reason{};  ///< why this much: a formula, not a wish
 };

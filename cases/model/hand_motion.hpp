@@ -18,7 +18,7 @@ struct Interval {
 /// One hand as a twice continuously differentiable function of time: the spline of a trace (hand/trace_spline.hpp) or a
 /// motion that a formula gives (hand/prescribed_motion.hpp).
 ///
-/// The reference evaluates it anywhere; the real-time path only samples it at its frames. Immutable, thread safe.
+/// An engine evaluates it anywhere, or samples it at the frames of a tracker. Immutable, thread safe.
 class HandMotion {
  public:
   virtual ~HandMotion() = default;

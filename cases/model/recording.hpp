@@ -85,12 +85,12 @@ struct Frame {
 ///
 /// touch: apart before, closed after; release: the contrary. breakaway: it slips after; restick: it slipped before and
 /// sticks after. A contact that lands and slides on has touch and breakaway at one instant; a slip that stops and goes
-/// on the other way at once has restick and breakaway at one instant (the real-time path reports the first alone).
+/// on the other way at once has restick and breakaway at one instant (a method with fixed steps may report one alone).
 /// What is given at t = 0 is no event, with one exception: a rigid support (L1) that slips from the beginning breaks
 /// away at t = 0.
 struct Event {
   double t{};       ///< [s]
-  double window{};  ///< [s]; one sub-step in the real-time path
+  double window{};  ///< [s]; of a method with fixed steps: one of them
   EventKind kind{};
   SampleId id{};
   BodyState body{};  ///< of the sample's body at `t`

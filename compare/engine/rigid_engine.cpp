@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -63,10 +64,17 @@ class RigidEngine : public Engine {
     return {.name = "rigid",
             .version = HANDHOLD_VERSION,
             .levels = {Level::rigid},
-            .errs = {.kind = ErrorModel::Kind::controlled, .accuracy = options.accuracy},
+            .errs = {.kind = ErrorModel::Kind::controlled,
+                     .accuracy = options.accuracy,
+                     .noise = rigid::event_noise,
+                     .delay = rigid::event_delay,
+                     .recovery = rigid::recovery,
+                     .rounding = std::numeric_limits<double>::epsilon() / options.max_step},
             .records = {.contacts = true, .events = true, .energy = true},
             .settings = {{"accuracy", fmt::format("{}", options.accuracy)},
-                         {"longest step", fmt::format("{} s", options.max_step)}}};
+                         {"longest step", fmt::format("{} s", options.max_step)},
+                         {"counts as none at an event", fmt::format("{} m, m/s", rigid::event_noise)},
+                         {"contacts recover at", fmt::format("{} /s", rigid::recovery)}}};
   }
 
   [[nodiscard]] Recording play(const Problem& given, const EngineOptions& options, const Progress&) const override {

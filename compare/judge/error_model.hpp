@@ -15,6 +15,10 @@ struct ErrorModel {
   Kind kind{Kind::foreign};
   double accuracy{};  ///< [m, rad, m/s, ..., absolute]
   double step{};      ///< [s]
+  double noise{};     ///< what it clears away of the state at an event [m, m/s]
+  double delay{};     ///< by which it may find an event late [s]
+  double recovery{};  ///< α: it holds contacts by equations whose errors decay as e^(−αt) [1/s]
+  double rounding{};  ///< of a state of size 1, in a second of its steps [1/s]
 };
 
 /// The limit that applies, and its value. For a foreign engine there is none: do not ask.

@@ -18,6 +18,11 @@ struct Options {
 /// Throws InputError for an option out of range.
 void validate(const Options& options);
 
+/// What the method errs by beside the accuracy of its integrator.
+inline constexpr double event_noise = 1e-10;  ///< velocities and gaps up to it count as none at an event [m/s, m]
+inline constexpr double event_delay = 1e-12;  ///< at the beginning of a step, an event is found this much later [s]
+inline constexpr double recovery = 100;       ///< α: errors of the contact equations decay as e^(−αt) [1/s]
+
 struct SupportState {
   Mode mode{Mode::apart};                               ///< a ball that sticks rolls
   double gap{};                                         ///< [m]; of no meaning for a force-controlled support
@@ -56,8 +61,9 @@ struct Trajectory {
 /// Stick: gap = 0 and no sliding velocity; slip under a normal force that the constraint finds: a constraint on the gap
 /// whose force is along n − μ_d d, d the direction of sliding, so that friction and normal force are found together.
 /// Between events a Runge-Kutta-Merson integrator with error control; the constraint equations carry their own errors
-/// back to zero (e'' = −2αe' − α²e). An event is the zero of a regular witness: μ_s N − |f|, N, the gap, or u · held
-/// (see Contact), located by bracketing on states that are integrated anew from the beginning of the step.
+/// back to zero (e'' = −2αe' − α²e, much faster than motions, slower than steps). An event is the zero of a regular
+/// witness: μ_s N − |f|, N, the gap, or u · held (see Contact), located by bracketing on states that are integrated
+/// anew from the beginning of the step.
 ///
 /// Throws InputError for input that cannot be simulated, before Simbody sees it. What goes wrong later is data:
 /// Outcome::stalled with a note (no consistent modes; an impact whose friction would turn; a function that gives NaN).

@@ -14,8 +14,8 @@
 namespace handhold::reference::rigid::simbody {
 namespace {
 
-constexpr double shortest_step = 1e-12;  // an event is not looked for nearer to the beginning of a step [s]
-constexpr double window_limit = 2e-15;   // of event times, per second of time past 1
+constexpr double shortest_step = event_delay;  // an event is not looked for nearer to the beginning of a step [s]
+constexpr double window_limit = 2e-15;         // of event times, per second of time past 1
 constexpr double loose_projection =
     1e-4;                      // Simbody's own projection stays out of it: the equations recover by themselves
 constexpr double slack = 1e4;  // of the invariants, in units of the accuracy
@@ -89,7 +89,7 @@ Run::Run(const RigidProblem& problem, const Options& options)
       integrator_(model_.system()),
       probe_(model_.system()) {
   tolerances_.gap = std::max(1e-9, 100 * options.accuracy);
-  noise_ = std::max(1e-10, 100 * options.accuracy);
+  noise_ = std::max(event_noise, 100 * options.accuracy);
   prepare(integrator_);
   prepare(probe_);
 }

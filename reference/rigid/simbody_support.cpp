@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/rigid/simbody_support.hpp"
 
+#include "reference/rigid/rigid.hpp"
+
 namespace handhold::reference::rigid::simbody {
 namespace {
 
 using Kind = SupportConstraint::Kind;
-
-constexpr double recovery =
-    100;  // α: errors of the equations decay with e^(−αt), much faster than motions, slower than steps [1/s]
 
 int position_equations(Kind kind) { return kind == Kind::grip ? 0 : 1; }
 int velocity_equations(Kind kind) { return kind == Kind::slide ? 0 : 2; }

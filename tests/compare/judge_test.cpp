@@ -33,6 +33,23 @@ TEST(Judge, TakesTheLimitOfTheEnginesOwnErrors) {
   EXPECT_EQ(judge(claim(false), stepped, 2).gate->reason, "b");
 }
 
+/// A force that follows the gap takes the state's error twice times the rate of recovery; what does not hang on the
+/// state is as it is.
+TEST(Judge, LetsALimitFollowWhatAMethodErrsBy) {
+  const ErrorModel errs{.kind = ErrorModel::Kind::controlled,
+                        .accuracy = 1,
+                        .step = 2,
+                        .noise = 3,
+                        .delay = 5,
+                        .recovery = 10,
+                        .rounding = 7};
+  catalogue::Limit limit{
+      .value = 1e6, .per_accuracy = 1, .per_noise = 1, .per_rounding = 1, .per_step = 1e3, .per_delay = 1e3};
+  EXPECT_DOUBLE_EQ(limit_value(limit, errs), 1e6 + 2e3 + 5e3 + 11);
+  limit.recoveries = 2;
+  EXPECT_DOUBLE_EQ(limit_value(limit, errs), 1e6 + 2e3 + 5e3 + 1100);
+}
+
 TEST(Judge, MeasuresAShareOfTheTruthWhereTheLimitIsOne) {
   EXPECT_DOUBLE_EQ(judge(claim(false), stepped, 2.5).error, 0.5);
   EXPECT_DOUBLE_EQ(judge(claim(true), stepped, 2.5).error, 0.25);

@@ -61,7 +61,9 @@ class Digest {
     for (const char c : text) value_ = (value_ ^ std::uint8_t(c)) * 0x100000001b3;
   }
   void put(const catalogue::Limit& l) {
-    put(fmt::format("{:.6g} {:.6g} {:.6g} {}\n", l.value, l.per_accuracy, l.per_step, l.relative));
+    for (const double x : {l.value, l.per_accuracy, l.per_noise, l.per_rounding, l.per_step, l.per_delay})
+      put(fmt::format("{:.6g} ", x));
+    put(fmt::format("{} {}\n", l.recoveries, l.relative));
   }
   [[nodiscard]] std::string text() const { return fmt::format("{:016x}", value_); }
 

@@ -12,11 +12,8 @@
 namespace handhold::catalogue::rigid {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
-constexpr double longest_step = 1e-3;     // of the rigid engine's default options [s]
-constexpr double least_advance = 1e-12;   // an event at the very beginning of a step is found this much later [s]
-constexpr double event_noise = 1e-10;     // what is cleared away at an event [m, m/s]
-constexpr double rounding = 8 * epsilon;  // of a truth and a measured number, relative: a few operations each
+constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();  // of truth and measured number, relative
+constexpr double after_events = 0.1;  // the short steps after events are as many as those of this much time more [s]
 constexpr const char* not_derived = "no stepped engine plays L1: its limits are not derived here";
 
 RigidClaim claim_of(const std::string& quantity, const std::string& unit, double truth, const Measure& measure,
@@ -32,9 +29,12 @@ RigidClaim yes_or_no(RigidClaim claim) {
 
 Limit controlled_limit(const RigidClaim& c, const StateError& error) {
   if (c.sensitivity == 0) return exact_limit();
-  const double late = c.claim.measure.kind == Measure::Kind::event_time ? least_advance : 0;
-  return {.value = c.sensitivity * error.value + rounding * std::abs(c.claim.truth) + late,
+  return {.value = rounding * std::abs(c.claim.truth),
           .per_accuracy = c.sensitivity * error.per_accuracy,
+          .per_noise = c.sensitivity * error.per_noise,
+          .per_rounding = c.sensitivity * error.per_rounding,
+          .per_delay = c.claim.measure.kind == Measure::Kind::event_time ? 1. : 0.,
+          .recoveries = c.recoveries,
           .reason = error.why + (c.why.empty() ? "" : "; " + c.why)};
 }
 
@@ -46,16 +46,17 @@ std::string plural(EventKind kind) {
 }  // namespace
 
 StateError polynomial(double duration, double size) {
-  const double steps = duration / longest_step + 100;  // short ones after events
-  return {.value = steps * epsilon * size,
-          .why = fmt::format("a polynomial of degree 4 at most, exact but for rounding: {:.0f} steps of 2.2e-16 of {}",
-                             steps, size)};
+  return {
+      .per_rounding = (duration + after_events) * size,
+      .why = fmt::format("a polynomial of degree 4 at most, exact but for rounding: of states up to {}, in the steps "
+                         "of {:.3g} s and those after events",
+                         size, duration)};
 }
 
 StateError controlled(double magnified, const std::string& why) {
-  return {.value = event_noise * magnified,
-          .per_accuracy = 10 * magnified,
-          .why = "ten times the integrator's accuracy, and 1e-10 of noise cleared away at events" +
+  return {.per_accuracy = 10 * magnified,
+          .per_noise = magnified,
+          .why = "ten times the integrator's accuracy, and the noise that is cleared away at events" +
                  (why.empty() ? why : "; " + why)};
 }
 
@@ -111,11 +112,14 @@ RigidClaim spin(const std::string& quantity, const Eigen::Vector3d& axis, double
 }
 
 RigidClaim force(const std::string& quantity, int support, const Eigen::Vector3d& axis, double t, double truth,
-                 double per_state, double scale) {
+                 Through through, double mass, double scale) {
   RigidClaim c =
       claim_of(quantity, "N", truth, {.kind = Measure::Kind::force, .axis = axis, .at = t, .phalanx = support}, scale);
-  c.sensitivity = per_state;
-  c.why = fmt::format("times {:.3g} N by which the force follows the state", per_state);
+  c.sensitivity = mass;
+  c.recoveries = int(through);
+  c.why =
+      fmt::format("times {:.3g} kg and the {}rate at which a contact recovers, by which the force follows the state",
+                  mass, through == Through::gap ? "squared " : "");
   return c;
 }
 

@@ -13,25 +13,26 @@
 
 namespace handhold::catalogue::rigid {
 
-/// How far a method that controls its error may be off in the states (places, velocities, turns, energies) of a run:
-/// value + per_accuracy a, absolute.
+/// How far a method that controls its error may be off in the states (places, velocities, turns, energies) of a run,
+/// absolute: see Limit.
 struct StateError {
-  double value{}, per_accuracy{};
+  double per_accuracy{}, per_noise{}, per_rounding{};
   std::string why{};
 };
 
 /// Between its events the motion is a polynomial of at most the fourth degree in t, which a Runge-Kutta method of the
-/// fourth order gives exactly: what remains is rounding, of states up to `size`, in every step of at most 1 ms.
+/// fourth order gives exactly: what remains is rounding, of states up to `size`, in every step.
 [[nodiscard]] StateError polynomial(double duration, double size = 1);
 
-/// Else ten times the accuracy, which is of a step and absolute, and the noise that is cleared away at events: gaps
-/// below 1e-9 m are closed and velocities below 1e-10 m/s stopped. `magnified`: where the motion lets errors grow.
+/// Else ten times the accuracy, which is of a step and absolute, and the noise that is cleared away at events.
+/// `magnified`: where the motion lets errors grow.
 [[nodiscard]] StateError controlled(double magnified = 1, const std::string& why = "");
 
 /// A claim that lacks source and limits, and how an error of the state shows in it.
 struct RigidClaim {
   Claim claim{};
   double sensitivity{1};  ///< [the claim's unit per unit of the state's error]; 0: yes or no, nothing to tolerate
+  int recoveries{0};      ///< as in Limit
   std::string why{};      ///< of the sensitivity
   Limit stepped{};        ///< without a reason: not derived
 };
@@ -58,9 +59,12 @@ struct RigidClaim {
 /// On a frame. `per_state`: of a ball that rolls, 1/r.
 [[nodiscard]] RigidClaim spin(const std::string& quantity, const Eigen::Vector3d& axis, double t, double truth,
                               double per_state, double scale = 0);
-/// Of one support on the body, on a frame. `per_state`: its change by an error of the state [N per m, m/s, ...].
+/// Through which error of the state a contact force errs: a method that holds e = 0 by e' = −αe gives friction that
+/// holds m α e, e the speed of sliding; one by e'' = −2αe' − α²e a normal force m α² e, e the gap.
+enum class Through { sliding_speed = 1, gap = 2 };
+/// Of one support on the body of that mass, on a frame.
 [[nodiscard]] RigidClaim force(const std::string& quantity, int support, const Eigen::Vector3d& axis, double t,
-                               double truth, double per_state, double scale = 0);
+                               double truth, Through through, double mass, double scale = 0);
 /// On a frame. `per_state`: the friction that does the work [J/m].
 [[nodiscard]] RigidClaim dissipated(double t, double truth, double per_state = 1);
 [[nodiscard]] RigidClaim mode(int support, double t, Mode truth);

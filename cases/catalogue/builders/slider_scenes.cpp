@@ -20,7 +20,7 @@ const Eigen::Vector3d right = Eigen::Vector3d::UnitX(), up = Eigen::Vector3d::Un
 Body palm_block(const SliderOscillator& o) {
   Body body;
   body.name = "block";
-  // Samples stay 15 voxels off every edge, where the C2 spline of the reference feels nothing of it (0.27 a voxel).
+  // Samples stay 15 voxels off every edge, where a C2 spline through the voxels feels nothing of it (0.27 a voxel).
   body.field = block_field(Eigen::Vector3d::Constant(length), coarse_voxel);
   body.inertia.mass = o.mass;
   body.inertia.about_center = o.mass * length * length / 6 * Eigen::Matrix3d::Identity();

@@ -81,7 +81,6 @@ Case rolled_ball() {
   const double pull = 2 * b.mu * b.normal_force / (b.mass * (1 + b.beta));
   const double v = b.jerk * onset * onset / 4 + pull * (end - onset), last = exact::position(b, end);
   const double way_of_plate = b.jerk * end * end * end / 6;
-  const double held = 100 * b.mass;  // how friction that holds follows the state, see the rigid engine's recovery
   const std::vector<RigidClaim> claims{
       event_time("slip onset", EventKind::breakaway, 1, onset, b.jerk * (1 + b.beta) / 4, 1),
       way("way on frame 10", x_axis, t, exact::position(b, t), last),
@@ -89,9 +88,12 @@ Case rolled_ball() {
       way("half of what the plate has not slipped", x_axis, end, (way_of_plate - exact::slip(b, end)) / 2),
       speed("speed at the end", x_axis, end, v),
       spin("spin at the end", y_axis, end, v / b.radius, 1 / b.radius),
-      force("friction of the plate above", 1, x_axis, t, b.mass * b.jerk * t * (1 + b.beta) / 4, held),
-      force("friction of the plate below", 0, x_axis, t, b.mass * b.jerk * t * (1 - b.beta) / 4, held),
-      force("friction of the plate above, slipping", 1, x_axis, end, b.mu * b.normal_force, held),
+      force("friction of the plate above", 1, x_axis, t, b.mass * b.jerk * t * (1 + b.beta) / 4, Through::sliding_speed,
+            b.mass),
+      force("friction of the plate below", 0, x_axis, t, b.mass * b.jerk * t * (1 - b.beta) / 4, Through::sliding_speed,
+            b.mass),
+      force("friction of the plate above, slipping", 1, x_axis, end, b.mu * b.normal_force, Through::sliding_speed,
+            b.mass),
       mode(0, end, Mode::stick),
       mode(1, end, Mode::slip),
       event_count(EventKind::breakaway, 1),

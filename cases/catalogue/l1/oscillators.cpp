@@ -210,7 +210,7 @@ Run goes_with_palm() {
                                  mode(0, 1, exact::sticks(palm) ? Mode::stick : Mode::slip), energy_balance(0.1)};
   for (const int k : {20, 70})
     claims.push_back(force(fmt::format("friction on frame {}", k), 0, x_axis, k / 90.,
-                           -m * palm.amplitude * w * w * std::sin(w * k / 90.), 100 * m, 0.2));
+                           -m * palm.amplitude * w * w * std::sin(w * k / 90.), Through::sliding_speed, m, 0.2));
   return run(
       "sticks",
       [=] {

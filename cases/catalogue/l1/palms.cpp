@@ -21,9 +21,6 @@ using namespace rigid;
 
 constexpr double mass = 0.2;
 
-/// How a normal force follows the state: the rigid engine's equation of the gap, e'' = −2αe' − α²e with α = 100/s.
-constexpr double normal_recovery = mass * 1e4;  // [N/m]
-
 Run leaves_and_lands(const std::string& name, const exact::PalmLift& l) {
   const double w = l.frequency, off = exact::lift_off(l), on = exact::landing(l), end = on + 0.01;
   const double v = exact::landing_speed(l);
@@ -42,7 +39,7 @@ Run leaves_and_lands(const std::string& name, const exact::PalmLift& l) {
   for (const double share : {0.4, 0.9}) {
     const double t = std::floor(90 * share * off) / 90;
     claims.push_back(force(fmt::format("normal force on frame {:.0f}", 90 * t), 0, z_axis, t,
-                           mass * (g - l.amplitude * w * w * std::sin(w * t)), normal_recovery, mass * g));
+                           mass * (g - l.amplitude * w * w * std::sin(w * t)), Through::gap, mass, mass * g));
   }
   return run(
       name,
@@ -91,9 +88,9 @@ Run tilts(const std::string& name, const exact::TiltingPalm& p, double slide_tim
       way("way along z at the end", z_axis, end, x * along.z()),
       speed("speed along the palm", along, end, v),
       speed("speed with the palm", normal, end, W * x),
-      force("normal force", 0, normal, end, mass * exact::normal_acceleration(p, end), normal_recovery),
-      force("friction", 0, along, end, p.friction.mu_dynamic * mass * exact::normal_acceleration(p, end),
-            normal_recovery),
+      force("normal force", 0, normal, end, mass * exact::normal_acceleration(p, end), Through::gap, mass),
+      force("friction", 0, along, end, p.friction.mu_dynamic * mass * exact::normal_acceleration(p, end), Through::gap,
+            mass),
       event_count(EventKind::breakaway, 1),
       energy_balance(0.1)};
   return run(

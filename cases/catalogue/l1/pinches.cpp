@@ -20,8 +20,6 @@ namespace exact = closed_form;
 using namespace rigid;
 using std::numbers::pi;
 
-constexpr double recovery = 100;  // of the rigid engine's velocity equations: what friction that holds follows [1/s]
-
 Run lifted(const exact::Pinch& pinch) {
   const double end = 0.1;
   const bool holds = exact::holds(pinch);
@@ -31,7 +29,8 @@ Run lifted(const exact::Pinch& pinch) {
                                  event_count(EventKind::breakaway, holds ? 0 : pinch.fingers), energy_balance(0.01)};
   for (int i = 0; i < pinch.fingers; ++i) {
     claims.push_back(mode(i, end, holds ? Mode::stick : Mode::slip));
-    claims.push_back(force(fmt::format("friction of finger {}", i), i, z_axis, end, share, recovery * pinch.mass));
+    claims.push_back(
+        force(fmt::format("friction of finger {}", i), i, z_axis, end, share, Through::sliding_speed, pinch.mass));
   }
   return run(
       fmt::format("{} fingers, {}", pinch.fingers, holds ? "held" : "slips"),
@@ -114,7 +113,7 @@ Case pinch_catch() {
   claims.push_back(way("slip at the end", z_axis, end, -exact::slip(c)));
   claims.push_back(event_count(EventKind::restick, 2));
   claims.push_back(mode(0, end, Mode::stick));
-  claims.push_back(force("friction of a finger, held", 1, z_axis, end, c.mass * g / 2, recovery * c.mass));
+  claims.push_back(force("friction of a finger, held", 1, z_axis, end, c.mass * g / 2, Through::sliding_speed, c.mass));
   claims.push_back(energy_balance(0.1));
   const Run caught = run(
       "catches and holds",

@@ -172,7 +172,7 @@ Case load_ramp() {
            way("place at the end", x_axis, end, exact::distance(ramp, end)),
            speed("speed at the end", x_axis, end, exact::speed(ramp, end)),
            way("place before", x_axis, 45 / 90., 0, exact::distance(ramp, end)),
-           force("friction that holds", 0, x_axis, 45 / 90., -ramp.rate * 45 / 90, 100 * ramp.mass),
+           force("friction that holds", 0, x_axis, 45 / 90., -ramp.rate * 45 / 90, Through::sliding_speed, ramp.mass),
            event_count(EventKind::breakaway, 1),
            dissipated(end, ramp.friction.mu_dynamic * ramp.mass * g * exact::distance(ramp, end)), energy_balance(1)});
   return {.id = "L1-C04",

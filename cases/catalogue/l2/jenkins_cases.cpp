@@ -35,29 +35,29 @@ Scene scene(const std::string& name, const Friction& friction, double start, con
   return scene;
 }
 
-Claim force(int at_frame, double truth, const std::string& quantity, const Limit& realtime) {
+Claim force(int at_frame, double truth, const std::string& quantity, const Limit& stepped) {
   return {.quantity = quantity,
           .unit = "N",
           .truth = truth,
           .source = "L2: Jenkins element",
           .measure = {.kind = Measure::Kind::force, .axis = along, .at = frame(at_frame)},
           .controlled = controlled_limit(),
-          .stepped = realtime};
+          .stepped = stepped};
 }
 
-Claim dissipated(int at_frame, double truth, const std::string& quantity, const Limit& reference,
-                 const Limit& realtime) {
+Claim dissipated(int at_frame, double truth, const std::string& quantity, const Limit& controlled,
+                 const Limit& stepped) {
   return {.quantity = quantity,
           .unit = "J",
           .truth = truth,
           .source = "L2: 4 mu N (A - mu N/K) a cycle, a quarter of it to the first extreme",
           .measure = {.kind = Measure::Kind::dissipated, .at = frame(at_frame)},
-          .controlled = reference,
-          .stepped = realtime};
+          .controlled = controlled,
+          .stepped = stepped};
 }
 
-/// The cubic spline through the hand, sampled at 2 kHz, is off by (ω Δ)⁴/384 of the amplitude. The real-time path's own
-/// hand, between frames, passes the extreme by some (ω dt)⁶/32 of it, but is back before its first sub-step ends.
+/// The cubic spline through the hand, sampled at 2 kHz, is off by (ω Δ)⁴/384 of the amplitude. A hand that is known on
+/// frames only passes the extreme by some (ω dt)⁶/32 of it between them, but is back before the first sub-step ends.
 double spline_error(double amplitude) { return amplitude * std::pow(frequency / 2000, 4) / 384; }
 
 /// No mass, a normal force that does not change: the step is exact on frames.

@@ -56,7 +56,7 @@ Run steady_run() {
   return run;
 }
 
-/// Slow enough that the real-time path's hand between frames, off by 0.05 (ω dt)³ A, is known to 0.5 % of Z.
+/// Slow enough that a hand between the frames it is known on, off by 0.05 (ω dt)³ A, is known to 0.5 % of Z.
 closed_form::ShakenPinch slow(double amplitude_share) {
   closed_form::ShakenPinch p{.preload = 0.001, .frequency = 8};
   p.amplitude = amplitude_share * critical_amplitude(p);

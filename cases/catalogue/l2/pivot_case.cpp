@@ -164,22 +164,21 @@ Run hold_run(double share) {
 }  // namespace
 
 Case pivot_case() {
-  return {
-      .id = "F03",
-      .title = "Pendulum held off-centre between two fingertips",
-      .truth_level = "L2",
-      .statement =
-          "A body of 0.1 kg and 4e-4 kg m^2 about its pivot, 50 mm above its centre of mass, is let go at 1.2 rad "
-          "between "
-          "two points, or two points with friction rings (5 mN m) round them.",
-      .formula =
-          "no friction: period 4 K(sin(th0/2)) sqrt(I/(m g l)); with it m g l (cos th1 - cos th0) = T (th0 - th1); "
-          "held iff m g l |sin th0| <= T",
-      .note =
-          "k = 5000 N/m a sample: the pivot yields, by 0.1 mm, and truth is the equation of motion of body, pivot "
-          "springs and leashes, integrated by another program than the reference; the turn by 0.3 s is 0.4 mrad off "
-          "the rigid closed form, a difference that falls as 1/k. mu = 0.5; the braked run starts with -1 rad/s.",
-      .runs = {free_run(), braked_run(), hold_run(0.98), hold_run(1.02)}};
+  return {.id = "F03",
+          .title = "Pendulum held off-centre between two fingertips",
+          .truth_level = "L2",
+          .statement =
+              "A body of 0.1 kg and 4e-4 kg m^2 about its pivot, 50 mm above its centre of mass, is let go at 1.2 rad "
+              "between "
+              "two points, or two points with friction rings (5 mN m) round them.",
+          .formula =
+              "no friction: period 4 K(sin(th0/2)) sqrt(I/(m g l)); with it m g l (cos th1 - cos th0) = T (th0 - th1); "
+              "held iff m g l |sin th0| <= T",
+          .note =
+              "k = 5000 N/m a sample: the pivot yields, by 0.1 mm, and truth is the equation of motion of body, pivot "
+              "springs and leashes, integrated by a program of its own; the turn by 0.3 s is 0.4 mrad off "
+              "the rigid closed form, a difference that falls as 1/k. mu = 0.5; the braked run starts with -1 rad/s.",
+          .runs = {free_run(), braked_run(), hold_run(0.98), hold_run(1.02)}};
 }
 
 }  // namespace handhold::catalogue

@@ -119,7 +119,7 @@ Case sliding_spin_case() {
       .note =
           "k = 500 N/m a sample, undamped. The rings belong to the hand here, not to the plate as in the catalogue, so "
           "the plate's centre leaves them and its closed terminal ratio does not apply; truth is the equation of "
-          "motion of the 8 places, integrated by another program than the reference.",
+          "motion of the 8 places, integrated by a program of its own.",
       .runs = {run}};
 }
 

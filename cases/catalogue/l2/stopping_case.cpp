@@ -46,7 +46,7 @@ Case stopping_case() {
   const closed_form::Stopping s = stopping();
   const double duration = 0.5;
   const double mid = 15.0 / 90;  // in the slide, on a frame
-  // What is left of the ring-down at the end; the real-time path's phase is anyone's guess.
+  // What is left of the ring-down at the end; the phase that a stepped method gives it is anyone's guess.
   const double swing =
       (stop_distance(s) - rest_distance(s)) * std::exp(-s.damping / (2 * s.mass) * (duration - stop_time(s)));
   Run run{.name = "stops", .problem = [=] { return scene(duration); }};

@@ -196,7 +196,7 @@ Scene slide() {
 }
 
 Limit bound(double value, const char* what) {
-  return {.value = value, .reason = std::string("what the reference preset promises for ") + what};
+  return {.value = value, .reason = std::string("what the preset 'certified' promises for ") + what};
 }
 
 const Limit position = bound(1e-7, "positions"), event_time = bound(1e-6, "event times");
