@@ -77,10 +77,12 @@ class RigidEngine : public Engine {
                          {"contacts recover at", fmt::format("{} /s", rigid::recovery)}}};
   }
 
-  [[nodiscard]] Recording play(const Problem& given, const EngineOptions& options, const Progress&) const override {
+  [[nodiscard]] Recording play(const Problem& given, const EngineOptions& options,
+                               const Progress& progress) const override {
     const auto& problem = std::get<RigidProblem>(given);
     const rigid::Trajectory t = rigid::simulate(
-        problem, {.accuracy = options.accuracy, .max_step = options.max_step, .frame_rate = options.frame_rate});
+        problem, {.accuracy = options.accuracy, .max_step = options.max_step, .frame_rate = options.frame_rate},
+        progress);
     Recording recording{.engine = "rigid",
                         .outcome = t.outcome,
                         .note = t.note,

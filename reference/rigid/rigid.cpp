@@ -28,13 +28,14 @@ void validate(const Options& o) {
     throw InputError(fmt::format("step_limit={}: must be > 0 (twenty million is the default)", o.step_limit));
 }
 
-Trajectory simulate(const RigidProblem& problem, const Options& options) {
+Trajectory simulate(const RigidProblem& problem, const Options& options,
+                    const std::function<bool(double t)>& progress) {
   validate(options);
   validate(problem);
   if (problem.duration * options.frame_rate > most_frames)
     throw InputError(fmt::format("frame_rate={} Hz for {} s: more than {:g} frames (choose a lower rate)",
                                  options.frame_rate, problem.duration, most_frames));
-  return simbody::simulate(problem, options);
+  return simbody::simulate(problem, options, progress);
 }
 
 }  // namespace handhold::reference::rigid

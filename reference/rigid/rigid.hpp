@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -67,7 +68,9 @@ struct Trajectory {
 ///
 /// Throws InputError for input that cannot be simulated, before Simbody sees it. What goes wrong later is data:
 /// Outcome::stalled with a note (no consistent modes; an impact whose friction would turn; a function that gives NaN).
+/// `progress` is called at every frame and now and then between; returning false stops the run (Outcome::interrupted).
 /// Deterministic, reentrant.
-[[nodiscard]] Trajectory simulate(const RigidProblem& problem, const Options& options = {});
+[[nodiscard]] Trajectory simulate(const RigidProblem& problem, const Options& options = {},
+                                  const std::function<bool(double t)>& progress = {});
 
 }  // namespace handhold::reference::rigid

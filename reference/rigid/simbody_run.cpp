@@ -21,6 +21,7 @@ constexpr double loose_projection =
 constexpr double slack = 1e4;  // of the invariants, in units of the accuracy
 constexpr double met = 1e-9;   // an open gap below this, and closing, is an impact [m]
 constexpr int most_events_at_once = 100;
+constexpr long steps_between_reports = 500;
 constexpr int most_trials = 200;
 
 std::string print(double value) {
@@ -35,7 +36,7 @@ double slow_speed(const Options& options) { return 0.1 * std::sqrt(options.accur
 /// One run.
 class Run {
  public:
-  Run(const RigidProblem& problem, const Options& options);
+  Run(const RigidProblem& problem, const Options& options, const std::function<bool(double t)>& progress);
   Trajectory run();
 
  private:
@@ -43,6 +44,7 @@ class Run {
 
   struct Stop {
     std::string note;
+    Outcome outcome{Outcome::stalled};
   };
 
   /// A state under the present modes, by its values.
@@ -55,6 +57,7 @@ class Run {
   void prepare(Integrator& integrator) const;
   void begin();
   void advance_to(double end);
+  void report() const;
   [[nodiscard]] Instant instant(const SimTK::State& state) const;
   [[nodiscard]] Instant integrate_from_start(double t);
   [[nodiscard]] int telling(const Instant& now) const;
@@ -70,6 +73,7 @@ class Run {
 
   const RigidProblem& problem_;
   const Options& options_;
+  const std::function<bool(double t)>& progress_;
   Tolerances tolerances_{};
   double noise_{};  // of velocities and places at an event, from the integrator [m/s, m]
   Model model_;
@@ -82,9 +86,10 @@ class Run {
   Trajectory trajectory_{};
 };
 
-Run::Run(const RigidProblem& problem, const Options& options)
+Run::Run(const RigidProblem& problem, const Options& options, const std::function<bool(double t)>& progress)
     : problem_(problem),
       options_(options),
+      progress_(progress),
       model_(problem, slow_speed(options)),
       integrator_(model_.system()),
       probe_(model_.system()) {
@@ -190,6 +195,11 @@ void Run::accept(const Instant& now) {
   start_ = now;
 }
 
+void Run::report() const {
+  if (progress_ && !progress_(state_.getTime()))
+    throw Stop{"stopped by the caller at t = " + print(state_.getTime()) + " s", Outcome::interrupted};
+}
+
 void Run::advance_to(double end) {
   while (state_.getTime() < end) {
     if (restart_) {
@@ -201,6 +211,7 @@ void Run::advance_to(double end) {
     if (integrator_.getAdvancedTime() <= start_.t) continue;  // news of a start
     if (++trajectory_.steps >= options_.step_limit)
       throw Stop{"step limit of " + std::to_string(options_.step_limit) + " reached at t = " + print(start_.t) + " s"};
+    if (trajectory_.steps % steps_between_reports == 0) report();
     Instant now = instant(integrator_.getAdvancedState());
     if (telling(now) < 0) {
       state_.setTime(now.t);
@@ -333,11 +344,12 @@ Trajectory Run::run() {
     for (long k = 1; state_.getTime() < problem_.duration; ++k) {
       const double t = double(k) / options_.frame_rate;
       const bool last = t > problem_.duration - 1e-9;  // no sliver of a frame at the end
+      report();
       advance_to(last ? problem_.duration : t);
       trajectory_.frames.push_back(model_.frame(state_));
     }
   } catch (const Stop& stop) {
-    trajectory_.outcome = Outcome::stalled;
+    trajectory_.outcome = stop.outcome;
     trajectory_.note = stop.note;
   } catch (const SimTK::Exception::Base& error) {
     trajectory_.outcome = Outcome::stalled;
@@ -352,9 +364,10 @@ Trajectory Run::run() {
 
 }  // namespace
 
-Trajectory simulate(const RigidProblem& problem, const Options& options) {
+Trajectory simulate(const RigidProblem& problem, const Options& options,
+                    const std::function<bool(double t)>& progress) {
   reference::simbody::check_library();
-  return Run(problem, options).run();
+  return Run(problem, options, progress).run();
 }
 
 }  // namespace handhold::reference::rigid::simbody

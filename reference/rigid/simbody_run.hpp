@@ -6,6 +6,7 @@
 namespace handhold::reference::rigid::simbody {
 
 /// The border to Simbody: rigid::simulate after all input has been validated (Simbody aborts on some bad input).
-[[nodiscard]] Trajectory simulate(const RigidProblem& problem, const Options& options);
+[[nodiscard]] Trajectory simulate(const RigidProblem& problem, const Options& options,
+                                  const std::function<bool(double t)>& progress);
 
 }  // namespace handhold::reference::rigid::simbody

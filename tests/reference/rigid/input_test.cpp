@@ -98,6 +98,18 @@ TEST(RigidInput, OptionsAreRefusedWithAReason) {
     EXPECT_THROW((void)simulate(block(0.2, {0.5, 0.4}, 0.1), o), InputError);
 }
 
+TEST(RigidOutcome, StopsWhenTheCallerWants) {
+  double last = -1;
+  const Trajectory t = simulate(block(0.2, {0.5, 0.4}, 0.5), {}, [&](double now) {
+    EXPECT_GE(now, last);
+    last = now;
+    return now < 0.2;
+  });
+  EXPECT_EQ(t.outcome, Outcome::interrupted);
+  EXPECT_NE(t.note.find("stopped by the caller at t = 0.2"), std::string::npos) << t.note;
+  EXPECT_NEAR(t.frames.back().t, 0.2, 1.01 / 100);  // a frame more or less: which one is at 0.2 s hangs on rounding
+}
+
 TEST(RigidOutcome, SaysWhatStalledARun) {
   RigidProblem p = block(0.2, {0.5, 0.4}, 0.1);
   p.load = [](double t, const BodyState&) { return Load{{t > 0.05 ? std::nan("") : 0, 0, 0}, {0, 0, 0}}; };
