@@ -5,12 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "cases/catalogue/families.hpp"
-
 namespace handhold::catalogue {
 
 Run near_threshold(double share, std::function<Problem()> problem, Claim claim) {
-  claim.controlled = claim.stepped = exact_limit();
   return {
       .name = fmt::format("{} of the threshold", share), .problem = std::move(problem), .claims = {std::move(claim)}};
 }

@@ -7,7 +7,7 @@
 
 namespace handhold::catalogue {
 
-/// A run at `share` of a threshold that asks one yes/no claim: nothing to tolerate. The claim comes without limits.
+/// A run at `share` of a threshold that asks one claim of yes or no.
 [[nodiscard]] Run near_threshold(double share, std::function<Problem()> problem, Claim claim);
 
 }  // namespace handhold::catalogue

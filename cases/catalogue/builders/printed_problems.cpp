@@ -120,32 +120,15 @@ Limit ray_limit(Ground ground, const PrintedFace& face, double reach, double lag
                         "a ray keeps q of the last frame's, in all 1/(1 - q)");
 }
 
-Claim printed_claim(const std::string& quantity, const std::string& unit, double truth, const std::string& source,
-                    const Measure& measure, const Limit& limit) {
-  return {.quantity = quantity,
-          .unit = unit,
-          .truth = truth,
-          .pedigree = Pedigree::discrete_exact,
-          .source = "L3: " + source,
-          .measure = measure,
-          .controlled = limit,
-          .stepped = limit};
+Claim printed_claim(const std::string& quantity, double truth, const std::string& source, const Measure& measure,
+                    const Limit& limit) {
+  return of_pedigree(Pedigree::discrete_exact, claim(quantity, truth, "L3: " + source, measure, limit, limit));
 }
 
 Claim printed_count(const std::string& quantity, double truth, const std::string& source, const Measure& measure) {
-  return printed_claim(quantity, "", truth, source, measure,
+  return printed_claim(quantity, truth, source, measure,
                        {.value = 0, .reason = "yes or no, or how many: nothing to tolerate"});
 }
-
-Measure force_at(double t, const Vector3d& axis) { return {.kind = Measure::Kind::force, .axis = axis, .at = t}; }
-
-Measure displacement_at(double t, const Vector3d& axis) {
-  return {.kind = Measure::Kind::displacement, .axis = axis, .at = t};
-}
-
-Measure speed_at(double t, const Vector3d& axis) { return {.kind = Measure::Kind::speed, .axis = axis, .at = t}; }
-
-Measure count_at(double t, Mode mode) { return {.kind = Measure::Kind::mode_count, .at = t, .mode = mode}; }
 
 Case printed_case(const std::string& id, const std::string& title) {
   return {.id = id,

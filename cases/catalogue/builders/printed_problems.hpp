@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cases/catalogue/builders/claims.hpp"
 #include "cases/catalogue/case.hpp"
 #include "cases/closed_form/printed_grasp.hpp"
 #include "cases/closed_form/printed_law.hpp"
@@ -73,18 +74,12 @@ inline constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() /
 [[nodiscard]] Limit ray_limit(Ground ground, const closed_form::PrintedFace& face, double reach, double lag);
 
 /// A number of the discrete law, with the same limit for any engine that plays it.
-[[nodiscard]] Claim printed_claim(const std::string& quantity, const std::string& unit, double truth,
-                                  const std::string& source, const Measure& measure, const Limit& limit);
+[[nodiscard]] Claim printed_claim(const std::string& quantity, double truth, const std::string& source,
+                                  const Measure& measure, const Limit& limit);
 
 /// Yes (1) or no (0), or how many.
 [[nodiscard]] Claim printed_count(const std::string& quantity, double truth, const std::string& source,
                                   const Measure& measure);
-
-// Measures at frame k of length dt.
-[[nodiscard]] Measure force_at(double t, const Eigen::Vector3d& axis);
-[[nodiscard]] Measure displacement_at(double t, const Eigen::Vector3d& axis);
-[[nodiscard]] Measure speed_at(double t, const Eigen::Vector3d& axis);
-[[nodiscard]] Measure count_at(double t, Mode mode);
 
 /// Body and truth of level L3, with its families' usual words left to fill in.
 [[nodiscard]] Case printed_case(const std::string& id, const std::string& title);

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/catalogue/builders/claims.hpp"
 #include "cases/catalogue/families.hpp"
 
 namespace handhold::catalogue::rigid {
@@ -16,9 +17,10 @@ constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();  // of t
 constexpr double after_events = 0.1;  // the short steps after events are as many as those of this much time more [s]
 constexpr const char* not_derived = "no stepped engine plays L1: its limits are not derived here";
 
-RigidClaim claim_of(const std::string& quantity, const std::string& unit, double truth, const Measure& measure,
-                    double scale = 0) {
-  return {.claim = {.quantity = quantity, .unit = unit, .truth = truth, .measure = measure, .scale = scale}};
+RigidClaim claim_of(const std::string& quantity, double truth, const Measure& measure, double scale = 0) {
+  RigidClaim out{.claim = claim(quantity, truth, {}, measure, {}, {})};
+  out.claim.scale = scale;
+  return out;
 }
 
 RigidClaim yes_or_no(RigidClaim claim) {
@@ -61,7 +63,7 @@ StateError controlled(double magnified, const std::string& why) {
 }
 
 RigidClaim event_time(const std::string& quantity, EventKind kind, int n, double truth, double rate, int support) {
-  RigidClaim c = claim_of(quantity, "s", truth,
+  RigidClaim c = claim_of(quantity, truth,
                           {.kind = Measure::Kind::event_time, .event = kind, .occurrence = n, .phalanx = support});
   c.sensitivity = 1 / rate;
   c.why = fmt::format("over the rate {:.3g} at which its limit is crossed", rate);
@@ -69,23 +71,23 @@ RigidClaim event_time(const std::string& quantity, EventKind kind, int n, double
 }
 
 RigidClaim from_the_start(const std::string& quantity, EventKind kind) {
-  return yes_or_no(claim_of(quantity, "s", 0, {.kind = Measure::Kind::event_time, .event = kind}, 1));
+  return yes_or_no(claim_of(quantity, 0, time_of(kind), 1));
 }
 
 RigidClaim event_count(EventKind kind, int truth, int support) {
   const std::string of = support < 0 ? "" : fmt::format(" of contact {}", support);
-  return yes_or_no(claim_of(plural(kind) + of, "", truth,
-                            {.kind = Measure::Kind::event_count, .event = kind, .phalanx = support}, 1));
+  return yes_or_no(
+      claim_of(plural(kind) + of, truth, {.kind = Measure::Kind::event_count, .event = kind, .phalanx = support}, 1));
 }
 
 RigidClaim way(const std::string& quantity, const Eigen::Vector3d& axis, double t, double truth, double scale) {
-  return claim_of(quantity, "m", truth, {.kind = Measure::Kind::displacement, .axis = axis, .at = t}, scale);
+  return claim_of(quantity, truth, displacement_at(t, axis), scale);
 }
 
 RigidClaim way_at(const std::string& quantity, const Eigen::Vector3d& axis, EventKind kind, int n, double truth,
                   double rate, double speed) {
-  RigidClaim c = claim_of(quantity, "m", truth,
-                          {.kind = Measure::Kind::displacement, .event = kind, .occurrence = n, .axis = axis});
+  RigidClaim c =
+      claim_of(quantity, truth, {.kind = Measure::Kind::displacement, .event = kind, .occurrence = n, .axis = axis});
   if (rate > 0) {
     c.sensitivity = 1 + speed / rate;
     c.why = "and its speed times the event's own error";
@@ -94,18 +96,17 @@ RigidClaim way_at(const std::string& quantity, const Eigen::Vector3d& axis, Even
 }
 
 RigidClaim speed(const std::string& quantity, const Eigen::Vector3d& axis, double t, double truth, double scale) {
-  return claim_of(quantity, "m/s", truth, {.kind = Measure::Kind::speed, .axis = axis, .at = t}, scale);
+  return claim_of(quantity, truth, catalogue::speed_at(t, axis), scale);
 }
 
 RigidClaim speed_at(const std::string& quantity, const Eigen::Vector3d& axis, EventKind kind, int n, double truth,
                     double scale) {
-  return claim_of(quantity, "m/s", truth, {.kind = Measure::Kind::speed, .event = kind, .occurrence = n, .axis = axis},
-                  scale);
+  return claim_of(quantity, truth, {.kind = Measure::Kind::speed, .event = kind, .occurrence = n, .axis = axis}, scale);
 }
 
 RigidClaim spin(const std::string& quantity, const Eigen::Vector3d& axis, double t, double truth, double per_state,
                 double scale) {
-  RigidClaim c = claim_of(quantity, "rad/s", truth, {.kind = Measure::Kind::spin, .axis = axis, .at = t}, scale);
+  RigidClaim c = claim_of(quantity, truth, {.kind = Measure::Kind::spin, .axis = axis, .at = t}, scale);
   c.sensitivity = per_state;
   if (per_state != 1) c.why = fmt::format("times {:.3g} rad/m by which rolling turns its speed into spin", per_state);
   return c;
@@ -114,7 +115,7 @@ RigidClaim spin(const std::string& quantity, const Eigen::Vector3d& axis, double
 RigidClaim force(const std::string& quantity, int support, const Eigen::Vector3d& axis, double t, double truth,
                  Through through, double mass, double scale) {
   RigidClaim c =
-      claim_of(quantity, "N", truth, {.kind = Measure::Kind::force, .axis = axis, .at = t, .phalanx = support}, scale);
+      claim_of(quantity, truth, {.kind = Measure::Kind::force, .axis = axis, .at = t, .phalanx = support}, scale);
   c.sensitivity = mass;
   c.recoveries = int(through);
   c.why =
@@ -124,20 +125,19 @@ RigidClaim force(const std::string& quantity, int support, const Eigen::Vector3d
 }
 
 RigidClaim dissipated(double t, double truth, double per_state) {
-  RigidClaim c =
-      claim_of(fmt::format("heat at t = {:.4g} s", t), "J", truth, {.kind = Measure::Kind::dissipated, .at = t});
+  RigidClaim c = claim_of(fmt::format("heat at t = {:.4g} s", t), truth, {.kind = Measure::Kind::dissipated, .at = t});
   c.sensitivity = std::max(1.0, per_state);
   c.why = "the integrator's error in energy, or friction times that in the way";
   return c;
 }
 
 RigidClaim mode(int support, double t, Mode truth) {
-  return yes_or_no(claim_of(fmt::format("mode of contact {} at t = {:.4g} s ({})", support, t, to_string(truth)), "",
+  return yes_or_no(claim_of(fmt::format("mode of contact {} at t = {:.4g} s ({})", support, t, to_string(truth)),
                             double(truth), {.kind = Measure::Kind::mode, .at = t, .phalanx = support}, 1));
 }
 
 RigidClaim energy_balance(double scale) {
-  return claim_of("energy out of balance", "J", 0, {.kind = Measure::Kind::energy_residual}, scale);
+  return claim_of("energy out of balance", 0, {.kind = Measure::Kind::energy_residual}, scale);
 }
 
 Run run(const std::string& name, const std::function<RigidProblem()>& problem, const std::string& source,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cases/catalogue/builders/claims.hpp"
 #include "cases/catalogue/families.hpp"
 
 namespace handhold::catalogue {
@@ -96,14 +97,9 @@ Claim SliderClaims::event(EventKind kind, int n, const std::string& quantity) co
   };
   const auto read = [=](const View& view) { return of(view).t; };
   const double truth = read(truth_);
-  return {.quantity = quantity,
-          .unit = "s",
-          .truth = truth,
-          .source = source,
-          .measure = {.kind = Measure::Kind::event_time, .event = kind, .occurrence = 1 + (n - 1) * samples_},
-          .controlled = time_limit(o_, of(truth_)),
-          .stepped = {.per_step = 1.01 + stopped(truth) + shift(read),
-                      .reason = "shows at the end of its sub-step, + " + analysis + after_stop}};
+  return claim(quantity, truth, source, time_of(kind, 1 + (n - 1) * samples_), time_limit(o_, of(truth_)),
+               {.per_step = 1.01 + stopped(truth) + shift(read),
+                .reason = "shows at the end of its sub-step, + " + analysis + after_stop});
 }
 
 Claim SliderClaims::breakaway(int n, const std::string& quantity) const {
@@ -115,39 +111,25 @@ Claim SliderClaims::restick(int n, const std::string& quantity) const { return e
 Claim SliderClaims::slip(double t, const std::string& quantity) const {
   const auto read = [=, this](const View& view) { return slip_of(view, t); };
   const double late = stopped(t) * std::abs(speed_of(truth_, t));
-  return {.quantity = quantity,
-          .unit = "m",
-          .truth = read(truth_),
-          .source = source,
-          .measure = {.kind = Measure::Kind::displacement, .axis = axis_, .at = t},
-          .controlled = state_limit(),
-          .stepped = {.per_step = shift(read) + kink() + late, .reason = analysis + after_stop}};
+  return claim(quantity, read(truth_), source, displacement_at(t, axis_), state_limit(),
+               {.per_step = shift(read) + kink() + late, .reason = analysis + after_stop});
 }
 
 Claim SliderClaims::slip_at_restick(int n, const std::string& quantity) const {
   const auto read = [=, this](const View& view) { return slip_of(view, view.motion.restick(n).t); };
-  return {.quantity = quantity,
-          .unit = "m",
-          .truth = read(truth_),
-          .source = source,
-          .measure = {.kind = Measure::Kind::displacement,
-                      .event = EventKind::restick,
-                      .occurrence = 1 + (n - 1) * samples_,
-                      .axis = axis_},
-          .controlled = state_limit(),
-          .stepped = {.per_step = shift(read) + kink(), .reason = analysis}};
+  return claim(quantity, read(truth_), source,
+               {.kind = Measure::Kind::displacement,
+                .event = EventKind::restick,
+                .occurrence = 1 + (n - 1) * samples_,
+                .axis = axis_},
+               state_limit(), {.per_step = shift(read) + kink(), .reason = analysis});
 }
 
 Claim SliderClaims::speed(double t, const std::string& quantity) const {
   const auto read = [=, this](const View& view) { return speed_of(view, t); };
   const double late = stopped(t) * std::abs(speed_of(truth_, t) - speed_of(truth_, t - step)) / step;
-  return {.quantity = quantity,
-          .unit = "m/s",
-          .truth = read(truth_),
-          .source = source,
-          .measure = {.kind = Measure::Kind::speed, .axis = axis_, .at = t},
-          .controlled = speed_limit(o_.base),
-          .stepped = {.per_step = shift(read) + late, .reason = analysis + after_stop}};
+  return claim(quantity, read(truth_), source, speed_at(t, axis_), speed_limit(o_.base),
+               {.per_step = shift(read) + late, .reason = analysis + after_stop});
 }
 
 Curve SliderClaims::curve(const std::string& label) const {

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/catalogue/builders/claims.hpp"
 #include "cases/catalogue/builders/near_threshold.hpp"
 #include "cases/catalogue/builders/rigid.hpp"
 #include "cases/catalogue/builders/rigid_claims.hpp"
@@ -55,17 +56,15 @@ Run leaves_and_lands(const std::string& name, const exact::PalmLift& l) {
 Case palm_lift() {
   const auto near = [](double share) {
     const exact::PalmLift l{share * g / (18 * 18), 18, g, mass, 0};
-    return near_threshold(share,
-                          [=] {
-                            RigidProblem p = block(mass, {0.5, 0.4}, 0.3);
-                            p.supports[0].motion = sine(z_axis, l.amplitude, l.frequency);
-                            p.V_WB.v = l.amplitude * l.frequency * z_axis;
-                            return Problem(p);
-                          },
-                          {.quantity = "stays on the palm",
-                           .truth = exact::leaves(l) ? 0. : 1.,
-                           .source = "L1: leaves iff A w^2 > g",
-                           .measure = {.kind = Measure::Kind::no_event, .event = EventKind::release}});
+    return near_threshold(
+        share,
+        [=] {
+          RigidProblem p = block(mass, {0.5, 0.4}, 0.3);
+          p.supports[0].motion = sine(z_axis, l.amplitude, l.frequency);
+          p.V_WB.v = l.amplitude * l.frequency * z_axis;
+          return Problem(p);
+        },
+        yes_or_no("stays on the palm", !exact::leaves(l), "L1: leaves iff A w^2 > g", none_of(EventKind::release)));
   };
   return {.id = "L1-D13",
           .title = "Palm lift: leaving and landing",

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/catalogue/builders/claims.hpp"
 #include "cases/catalogue/builders/near_threshold.hpp"
 #include "cases/catalogue/builders/rigid.hpp"
 #include "cases/catalogue/builders/rigid_claims.hpp"
@@ -45,15 +46,13 @@ Run lifted(const exact::Pinch& pinch) {
 Run at_threshold(double share) {
   exact::Pinch pinch{};
   pinch.normal_force = share * exact::critical_normal_force(pinch);
-  return near_threshold(share,
-                        [=] {
-                          return Problem(grip(2, pinch.mass, pinch.friction, constant(pinch.normal_force),
-                                              accelerating(pinch.acceleration * z_axis), 0.02));
-                        },
-                        {.quantity = "holds",
-                         .truth = share > 1 ? 1. : 0.,
-                         .source = "L1: n mu_s N >= m (g + a)",
-                         .measure = {.kind = Measure::Kind::no_event, .event = EventKind::breakaway}});
+  return near_threshold(
+      share,
+      [=] {
+        return Problem(grip(2, pinch.mass, pinch.friction, constant(pinch.normal_force),
+                            accelerating(pinch.acceleration * z_axis), 0.02));
+      },
+      yes_or_no("holds", share > 1, "L1: n mu_s N >= m (g + a)", none_of(EventKind::breakaway)));
 }
 
 Case pinch() {
@@ -167,17 +166,15 @@ Run shaken(const std::string& name, const exact::VerticalShake& s) {
 Run shaken_near(double share) {
   exact::VerticalShake s{};
   s.amplitude = share * exact::greatest_acceleration(s) / (s.frequency * s.frequency);
-  return near_threshold(share,
-                        [=] {
-                          RigidProblem p = grip(2, s.mass, s.friction, constant(s.normal_force),
-                                                sine(z_axis, s.amplitude, s.frequency), 2 * pi / s.frequency);
-                          p.V_WB.v = s.amplitude * s.frequency * z_axis;
-                          return Problem(p);
-                        },
-                        {.quantity = "holds",
-                         .truth = share < 1 ? 1. : 0.,
-                         .source = "L1: A w^2 <= 2 mu_s N / m - g",
-                         .measure = {.kind = Measure::Kind::no_event, .event = EventKind::breakaway}});
+  return near_threshold(
+      share,
+      [=] {
+        RigidProblem p = grip(2, s.mass, s.friction, constant(s.normal_force), sine(z_axis, s.amplitude, s.frequency),
+                              2 * pi / s.frequency);
+        p.V_WB.v = s.amplitude * s.frequency * z_axis;
+        return Problem(p);
+      },
+      yes_or_no("holds", share < 1, "L1: A w^2 <= 2 mu_s N / m - g", none_of(EventKind::breakaway)));
 }
 
 Case vertical_shake() {
@@ -220,17 +217,15 @@ Case side_shake() {
   const auto near = [=](double share) {
     exact::SideShake at = s;
     at.amplitude = share * std::sqrt(limit * limit - g * g) / (w * w);
-    return near_threshold(share,
-                          [=] {
-                            RigidProblem p = grip(2, s.mass, {s.mu_static, mu_dynamic}, constant(s.normal_force),
-                                                  sine(x_axis, at.amplitude, w), pi / w);
-                            p.V_WB.v = at.amplitude * w * x_axis;
-                            return Problem(p);
-                          },
-                          {.quantity = "holds",
-                           .truth = exact::holds(at) ? 1. : 0.,
-                           .source = "L1: g^2 + (A w^2)^2 <= (2 mu_s N / m)^2",
-                           .measure = {.kind = Measure::Kind::no_event, .event = EventKind::breakaway}});
+    return near_threshold(
+        share,
+        [=] {
+          RigidProblem p = grip(2, s.mass, {s.mu_static, mu_dynamic}, constant(s.normal_force),
+                                sine(x_axis, at.amplitude, w), pi / w);
+          p.V_WB.v = at.amplitude * w * x_axis;
+          return Problem(p);
+        },
+        yes_or_no("holds", exact::holds(at), "L1: g^2 + (A w^2)^2 <= (2 mu_s N / m)^2", none_of(EventKind::breakaway)));
   };
   return {.id = "L1-D06",
           .title = "Pinch shaken sideways: the round cone",

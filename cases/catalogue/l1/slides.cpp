@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/catalogue/builders/claims.hpp"
 #include "cases/catalogue/builders/near_threshold.hpp"
 #include "cases/catalogue/builders/rigid.hpp"
 #include "cases/catalogue/builders/rigid_claims.hpp"
@@ -74,11 +75,9 @@ Run slides_down_askew() {
 
 Case incline() {
   const auto near = [=](double share) {
-    return near_threshold(share, [=] { return Problem(on_slope(std::atan(share * friction.mu_static), 0.3)); },
-                          {.quantity = "stays",
-                           .truth = share < 1 ? 1. : 0.,
-                           .source = "L1: tan(slope) <= mu_s",
-                           .measure = {.kind = Measure::Kind::no_event, .event = EventKind::breakaway}});
+    return near_threshold(
+        share, [=] { return Problem(on_slope(std::atan(share * friction.mu_static), 0.3)); },
+        yes_or_no("stays", share < 1, "L1: tan(slope) <= mu_s", none_of(EventKind::breakaway)));
   };
   return {.id = "L1-C01",
           .title = "Incline: threshold and slide",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include "cases/catalogue/builders/claims.hpp"
 #include "cases/catalogue/builders/near_threshold.hpp"
 #include "cases/catalogue/builders/scenes.hpp"
 #include "cases/catalogue/families.hpp"
@@ -34,11 +35,10 @@ Scene scene(const closed_form::EccentricLoad& l, double weight, double duration)
 Run threshold_run(double arm, double share) {
   const closed_form::EccentricLoad l{.arm = arm};
   const double weight = share * limit_load(l).weight, end = 0.6;
-  Run run = near_threshold(share, [=] { return scene(l, weight, end); },
-                           {.quantity = "holds",
-                            .truth = share < 1 ? 1.0 : 0.0,
-                            .source = "L1 = L2: W = 2 (mu N/8) min over c of sum |r_i - c|/(L + c), 8 samples",
-                            .measure = {.kind = Measure::Kind::held, .axis = down, .level = 0.1 * arm}});
+  Run run = near_threshold(
+      share, [=] { return scene(l, weight, end); },
+      yes_or_no("holds", share < 1, "L1 = L2: W = 2 (mu N/8) min over c of sum |r_i - c|/(L + c), 8 samples",
+                {.kind = Measure::Kind::held, .axis = down, .level = 0.1 * arm}));
   run.name = fmt::format("L = {} mm, {}", 1e3 * arm, run.name);
   return run;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "cases/catalogue/builders/claims.hpp"
 #include "cases/catalogue/builders/scenes.hpp"
 #include "cases/catalogue/families.hpp"
 #include "cases/closed_form/bodies.hpp"
@@ -35,13 +36,9 @@ void touch_below(Body& body, double length) {
 
 Claim event_claim(const std::string& quantity, EventKind kind, int n, double truth, const std::string& source,
                   double speed, const Limit& stepped) {
-  return {.quantity = quantity,
-          .unit = "s",
-          .truth = truth,
-          .source = source,
-          .measure = {.kind = Measure::Kind::event_time, .event = kind, .occurrence = 1 + (n - 1) * samples, .body = 0},
-          .controlled = absolute_controlled_limit(1 + 1 / speed, "of places, over the speed of the crossing"),
-          .stepped = stepped};
+  return claim(quantity, truth, source,
+               {.kind = Measure::Kind::event_time, .event = kind, .occurrence = 1 + (n - 1) * samples, .body = 0},
+               absolute_controlled_limit(1 + 1 / speed, "of places, over the speed of the crossing"), stepped);
 }
 
 Scene strike_scene(const Strike& s, double duration) {
@@ -121,24 +118,16 @@ Case struck_case() {
   way.per_step += speed.per_step * (end - strike_time(s));
   way.reason += "; and the error of the speed since the touch";
   Run run{.name = "struck", .problem = [=] { return strike_scene(s, end); }};
-  run.claims = {event_claim("touch", EventKind::touch, 1, strike_time(s), "L1 = L2: gap/w, gravity is common",
-                            closing_speed(s), event_limit()),
-                event_claim("parting", EventKind::release, 1, parting_time(s), "L2: half a period of the spring later",
-                            closing_speed(s), event_limit(2, "and begins up to a sub-step off")),
-                {.quantity = "speed of the struck one",
-                 .unit = "m/s",
-                 .truth = speed_of_a(s, end),
-                 .source = "L1 = L2: v_a - g t - 2 m_b w/(m_a + m_b)",
-                 .measure = {.kind = Measure::Kind::speed, .axis = up, .at = end, .body = 0},
-                 .controlled = controlled_limit(),
-                 .stepped = speed},
-                {.quantity = "way of the struck one",
-                 .unit = "m",
-                 .truth = distance_of_a(s, end),
-                 .source = "L2: free fall, half the kick during contact, all of it after",
-                 .measure = {.kind = Measure::Kind::displacement, .axis = up, .at = end, .body = 0},
-                 .controlled = controlled_limit(),
-                 .stepped = way}};
+  run.claims = {
+      event_claim("touch", EventKind::touch, 1, strike_time(s), "L1 = L2: gap/w, gravity is common", closing_speed(s),
+                  event_limit()),
+      event_claim("parting", EventKind::release, 1, parting_time(s), "L2: half a period of the spring later",
+                  closing_speed(s), event_limit(2, "and begins up to a sub-step off")),
+      claim("speed of the struck one", speed_of_a(s, end), "L1 = L2: v_a - g t - 2 m_b w/(m_a + m_b)",
+            {.kind = Measure::Kind::speed, .axis = up, .at = end, .body = 0}, controlled_limit(), speed),
+      claim("way of the struck one", distance_of_a(s, end),
+            "L2: free fall, half the kick during contact, all of it after",
+            {.kind = Measure::Kind::displacement, .axis = up, .at = end, .body = 0}, controlled_limit(), way)};
   return {
       .id = "H03",
       .title = "A falling block struck by a faster one",
@@ -184,17 +173,13 @@ Case pressed_case() {
           "touch", EventKind::touch, 1, std::sqrt(2 * pressed_gap * pressed_mass / force), "L1 = L2: sqrt(2 gap m/F)",
           std::sqrt(2 * pressed_gap * force / pressed_mass),
           event_limit(2, "the way of a step is foreseen from the speed at its start: what rests is seen one later")),
-      {.quantity = "force at rest",
-       .unit = "N",
-       .truth = -force,
-       .source = "L1 = L2: F + m g",
-       .measure = {.kind = Measure::Kind::force, .axis = up, .at = end, .body = 0, .owner = 1},
-       .controlled = {.per_accuracy = 8e4,
-                      .reason = "the integrator's accuracy of places, where the springs have 8e4 N/m"},
-       .stepped = {.value = 1e-11,
-                   .relative = true,
-                   .reason = "rest does not depend on the step, and nothing of the blow is left: the solve, to 1e-13 "
-                             "of a momentum of 10 m/s a step, and rounding of places under 8e4 N/m"}}};
+      claim("force at rest", -force, "L1 = L2: F + m g",
+            {.kind = Measure::Kind::force, .axis = up, .at = end, .body = 0, .owner = 1},
+            {.per_accuracy = 8e4, .reason = "the integrator's accuracy of places, where the springs have 8e4 N/m"},
+            {.value = 1e-11,
+             .relative = true,
+             .reason = "rest does not depend on the step, and nothing of the blow is left: the solve, to 1e-13 "
+                       "of a momentum of 10 m/s a step, and rounding of places under 8e4 N/m"})};
   return {.id = "H05",
           .title = "A light block pressed on another: the first touch",
           .truth_level = "L1 = L2",
@@ -210,13 +195,9 @@ Case sweep_case() {
   Run run{.name = "meets the wall", .problem = [=] { return sweep_scene(s, end); }};
   run.claims = {event_claim("touch", EventKind::touch, 1, reach_time(s), "L1 = L2: (start - acos(wall/arm))/spin",
                             s.arm * s.spin * std::sin(std::acos(s.wall / s.arm)), event_limit()),
-                {.quantity = "angle before it",
-                 .unit = "rad",
-                 .truth = s.spin * before,
-                 .source = "L1 = L2: a free spin about a principal axis",
-                 .measure = {.kind = Measure::Kind::rotation, .axis = up, .at = before, .body = 1},
-                 .controlled = controlled_limit(),
-                 .stepped = {.value = 1e-12, .reason = "exact turns: rounding of some 30 of them"}}};
+                claim("angle before it", s.spin * before, "L1 = L2: a free spin about a principal axis",
+                      {.kind = Measure::Kind::rotation, .axis = up, .at = before, .body = 1}, controlled_limit(),
+                      {.value = 1e-12, .reason = "exact turns: rounding of some 30 of them"})};
   return {.id = "H06",
           .title = "The end of a spinning bar meets a wall",
           .truth_level = "L1 = L2",

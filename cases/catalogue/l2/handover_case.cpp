@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
+#include "cases/catalogue/builders/claims.hpp"
 #include "cases/catalogue/builders/scenes.hpp"
 #include "cases/catalogue/builders/slider_claims.hpp"
 #include "cases/catalogue/families.hpp"
@@ -76,14 +77,10 @@ Case handover_case() {
   const double mean = mass * gravity / second_stiffness;
   const double swing = std::hypot(at_opening.x - mean, at_opening.v / std::sqrt(second_stiffness / mass));
   run.claims.push_back(
-      {.quantity = "sag at t = 1.1 s",
-       .unit = "m",
-       .truth = sag_after(at_opening, end - open),
-       .source = "L2: m g/K2 + the oscillation that is left",
-       .measure = {.kind = Measure::Kind::displacement, .axis = down, .at = end},
-       .controlled = absolute_controlled_limit(),
-       .stepped = {.value = 2 * swing,
-                   .reason = "the implicit step damps the oscillation of 18 um out, before and after the opening"}});
+      claim("sag at t = 1.1 s", sag_after(at_opening, end - open), "L2: m g/K2 + the oscillation that is left",
+            displacement_at(end, down), absolute_controlled_limit(),
+            {.value = 2 * swing,
+             .reason = "the implicit step damps the oscillation of 18 um out, before and after the opening"}));
   run.curve = Curve{"sag [m]", {.kind = Measure::Kind::displacement, .axis = down}, [=](double t) {
                       return t < open ? expect.truth().at(t).x : sag_after(at_opening, t - open);
                     }};

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/catalogue/builders/claims.hpp"
 #include "cases/catalogue/builders/scenes.hpp"
 #include "cases/catalogue/families.hpp"
 #include "cases/closed_form/held_cube.hpp"
@@ -39,14 +40,10 @@ Run translation_run(const std::string& name, const Eigen::Vector3d& axis, double
   const double w = translation_frequency(cube()), end = frame(6);
   Run run{.name = name, .problem = [=] { return scene({.v = v * axis}, 0, 0, end); }};
   for (const int n : {2, 6})
-    run.claims.push_back({.quantity = fmt::format("place at t = {}/90 s", n),
-                          .unit = "m",
-                          .truth = v / w * std::sin(w * frame(n)),
-                          .source = "L2: v/w sin w t, w^2 = 2 K/m",
-                          .measure = {.kind = Measure::Kind::displacement, .axis = axis, .at = frame(n)},
-                          .controlled = absolute_controlled_limit(),
-                          .stepped = implicit_ring_limit(v / w, w, frame(n)),
-                          .converges = n == 2});
+    run.claims.push_back(claim(fmt::format("place at t = {}/90 s", n), v / w * std::sin(w * frame(n)),
+                               "L2: v/w sin w t, w^2 = 2 K/m", displacement_at(frame(n), axis),
+                               absolute_controlled_limit(), implicit_ring_limit(v / w, w, frame(n)),
+                               /*converges=*/n == 2));
   run.curve = Curve{"place [m]", {.kind = Measure::Kind::displacement, .axis = axis}, [=](double t) {
                       return v / w * std::sin(w * t);
                     }};
@@ -59,14 +56,10 @@ Run rotation_run(const std::string& name, const Eigen::Vector3d& axis, double w,
   const double end = frame(last);
   Run run{.name = name, .problem = [=] { return scene({.w = spin * axis}, 0, 0, end); }};
   for (const int n : {first, last})
-    run.claims.push_back({.quantity = fmt::format("angle at t = {}/90 s", n),
-                          .unit = "rad",
-                          .truth = closed_form::swing_from_bottom(w, spin, frame(n)),
-                          .source = "L2: sin(th/2) = kappa sn(W t, kappa), kappa = w0/(2 W), " + formula,
-                          .measure = {.kind = Measure::Kind::rotation, .axis = axis, .at = frame(n)},
-                          .controlled = absolute_controlled_limit(),
-                          .stepped = implicit_ring_limit(spin / w, w, frame(n)),
-                          .converges = n == first});
+    run.claims.push_back(
+        claim(fmt::format("angle at t = {}/90 s", n), closed_form::swing_from_bottom(w, spin, frame(n)),
+              "L2: sin(th/2) = kappa sn(W t, kappa), kappa = w0/(2 W), " + formula, rotation_at(frame(n), axis),
+              absolute_controlled_limit(), implicit_ring_limit(spin / w, w, frame(n)), /*converges=*/n == first));
   run.curve = Curve{"angle [rad]", {.kind = Measure::Kind::rotation, .axis = axis}, [=](double t) {
                       return closed_form::swing_from_bottom(w, spin, t);
                     }};
@@ -76,16 +69,11 @@ Run rotation_run(const std::string& name, const Eigen::Vector3d& axis, double w,
 Run sag_run() {
   const double end = 0.3;  // the transient has faded to exp(-80 t), 4e-11
   Run run{.name = "sags", .problem = [=] { return scene({}, 2, cube().gravity, end); }};
-  run.claims = {{.quantity = "sag",
-                 .unit = "m",
-                 .truth = sag(cube()),
-                 .source = "L2: m g/(2 K)",
-                 .measure = {.kind = Measure::Kind::displacement, .axis = down, .at = end},
-                 .controlled = absolute_controlled_limit(),
-                 .stepped = {.value = 1e-9,
-                             .relative = true,
-                             .reason = "rest does not depend on the step; 4e-11 of the settling is left, in the "
-                                       "implicit step up to ten times that"}}};
+  run.claims = {claim("sag", sag(cube()), "L2: m g/(2 K)", displacement_at(end, down), absolute_controlled_limit(),
+                      {.value = 1e-9,
+                       .relative = true,
+                       .reason = "rest does not depend on the step; 4e-11 of the settling is left, in the "
+                                 "implicit step up to ten times that"})};
   return run;
 }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/catalogue/builders/claims.hpp"
 #include "cases/catalogue/builders/near_threshold.hpp"
 #include "cases/catalogue/builders/scenes.hpp"
 #include "cases/catalogue/families.hpp"
@@ -46,28 +47,13 @@ Run sliding_run(double slope) {
   const double v = speed_at(truth, distance);
   Run run{.name = "slides", .problem = [=] { return scene(slope, t, true); }};
   run.claims = {
-      {.quantity = "time to slide 0.1 m",
-       .unit = "s",
-       .truth = time_at(truth, distance),
-       .source = "L1 = L2: t = sqrt(2 D / a), a = g (sin th - mu_d cos th)",
-       .measure = {.kind = Measure::Kind::time_at_displacement, .axis = down_hill, .level = distance},
-       .controlled = controlled_limit(),
-       .stepped = {.per_step = 0.51, .reason = "the bias a t h / 2 of the distance (R03) over the speed a t"}},
-      {.quantity = "speed at t = 0.4 s",
-       .unit = "m/s",
-       .truth = a * t,
-       .source = "L1 = L2: v = a t",
-       .measure = {.kind = Measure::Kind::speed, .axis = down_hill, .at = t},
-       .controlled = controlled_limit(),
-       .stepped = {.value = 1e-12 * v, .reason = "exact for a constant force (R03): rounding"}},
-      {.quantity = "slip at t = 0.4 s",
-       .unit = "m",
-       .truth = slip(truth, t),
-       .source = "L1 = L2: x = a t^2 / 2",
-       .measure = {.kind = Measure::Kind::displacement, .axis = down_hill, .at = t},
-       .controlled = controlled_limit(),
-       .stepped = euler_bias_limit(a * t),
-       .converges = true}};
+      claim("time to slide 0.1 m", time_at(truth, distance), "L1 = L2: t = sqrt(2 D / a), a = g (sin th - mu_d cos th)",
+            {.kind = Measure::Kind::time_at_displacement, .axis = down_hill, .level = distance}, controlled_limit(),
+            {.per_step = 0.51, .reason = "the bias a t h / 2 of the distance (R03) over the speed a t"}),
+      claim("speed at t = 0.4 s", a * t, "L1 = L2: v = a t", speed_at(t, down_hill), controlled_limit(),
+            {.value = 1e-12 * v, .reason = "exact for a constant force (R03): rounding"}),
+      claim("slip at t = 0.4 s", slip(truth, t), "L1 = L2: x = a t^2 / 2", displacement_at(t, down_hill),
+            controlled_limit(), euler_bias_limit(a * t), /*converges=*/true)};
   run.curve = Curve{"slip [m]", {.kind = Measure::Kind::displacement, .axis = down_hill}, [truth](double s) {
                       return slip(truth, s);
                     }};
@@ -81,11 +67,10 @@ Run threshold_run(double share) {
   const bool truth = holds(incline(slope));
   // Slipping, it moves further than this by far; sticking, only its springs could give way, by the lag.
   const double level = 0.5 * slip(incline(std::atan(1.02 * friction.mu_static)), duration);
-  return near_threshold(share, [=] { return scene(slope, duration, false); },
-                        {.quantity = "holds",
-                         .truth = truth ? 1.0 : 0.0,
-                         .source = "L1 = L2: tan th <= mu_s",
-                         .measure = {.kind = Measure::Kind::held, .axis = down_hill, .level = level}});
+  return near_threshold(
+      share, [=] { return scene(slope, duration, false); },
+      yes_or_no("holds", truth, "L1 = L2: tan th <= mu_s",
+                {.kind = Measure::Kind::held, .axis = down_hill, .level = level}));
 }
 
 }  // namespace

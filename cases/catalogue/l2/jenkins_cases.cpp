@@ -4,8 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <fmt/format.h>
-
+#include "cases/catalogue/builders/claims.hpp"
 #include "cases/catalogue/builders/scenes.hpp"
 #include "cases/catalogue/families.hpp"
 #include "cases/closed_form/jenkins_loop.hpp"
@@ -36,24 +35,13 @@ Scene scene(const std::string& name, const Friction& friction, double start, con
 }
 
 Claim force(int at_frame, double truth, const std::string& quantity, const Limit& stepped) {
-  return {.quantity = quantity,
-          .unit = "N",
-          .truth = truth,
-          .source = "L2: Jenkins element",
-          .measure = {.kind = Measure::Kind::force, .axis = along, .at = frame(at_frame)},
-          .controlled = controlled_limit(),
-          .stepped = stepped};
+  return claim(quantity, truth, "L2: Jenkins element", force_at(frame(at_frame), along), controlled_limit(), stepped);
 }
 
 Claim dissipated(int at_frame, double truth, const std::string& quantity, const Limit& controlled,
                  const Limit& stepped) {
-  return {.quantity = quantity,
-          .unit = "J",
-          .truth = truth,
-          .source = "L2: 4 mu N (A - mu N/K) a cycle, a quarter of it to the first extreme",
-          .measure = {.kind = Measure::Kind::dissipated, .at = frame(at_frame)},
-          .controlled = controlled,
-          .stepped = stepped};
+  return claim(quantity, truth, "L2: 4 mu N (A - mu N/K) a cycle, a quarter of it to the first extreme",
+               {.kind = Measure::Kind::dissipated, .at = frame(at_frame)}, controlled, stepped);
 }
 
 /// The cubic spline through the hand, sampled at 2 kHz, is off by (ω Δ)⁴/384 of the amplitude. A hand that is known on
@@ -154,29 +142,16 @@ Case chatter_case() {
   const double onset = friction.mu_static * normal_force / total_stiffness / speed;
   run.claims = {
       force(2, total_stiffness * speed * frame(2), "force in stick, t = 2/90 s", rounding),
-      {.quantity = "breakaway",
-       .unit = "s",
-       .truth = onset,
-       .source = "L2: mu_s N/K of drag",
-       .measure = {.kind = Measure::Kind::event_time, .event = EventKind::breakaway},
-       .controlled = controlled_limit(),
-       .stepped = event_limit()},
+      claim("breakaway", onset, "L2: mu_s N/K of drag", time_of(EventKind::breakaway), controlled_limit(),
+            event_limit()),
       force(10, kinetic, "force in slip, t = 1/9 s", rounding),
       force(31, kinetic, "force in slip, t = 31/90 s", rounding),
       force(45, kinetic, "force in slip, t = 0.5 s", rounding),
-      {.quantity = "slip events, one a sample",
-       .truth = samples,
-       .source = "L2: the state flag keeps slip until the anchor stands; without one 75 times as many (saw-tooth of "
-                 "period (mu_s - mu_d) N/K)",
-       .measure = {.kind = Measure::Kind::event_count, .event = EventKind::breakaway},
-       .controlled = exact_limit(),
-       .stepped = exact_limit()},
-      {.quantity = "never sticks again",
-       .truth = 1,
-       .source = "L2: as above",
-       .measure = {.kind = Measure::Kind::no_event, .event = EventKind::restick},
-       .controlled = exact_limit(),
-       .stepped = exact_limit()},
+      claim("slip events, one a sample", samples,
+            "L2: the state flag keeps slip until the anchor stands; without one 75 times as many (saw-tooth of "
+            "period (mu_s - mu_d) N/K)",
+            {.kind = Measure::Kind::event_count, .event = EventKind::breakaway}, exact_limit(), exact_limit()),
+      yes_or_no("never sticks again", true, "L2: as above", none_of(EventKind::restick)),
       {.quantity = "loss",
        .unit = "J",
        .truth = work - 0.5 * kinetic * kinetic / total_stiffness,

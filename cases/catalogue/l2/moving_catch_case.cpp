@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
+#include "cases/catalogue/builders/claims.hpp"
 #include "cases/catalogue/builders/slider_claims.hpp"
 #include "cases/catalogue/builders/slider_scenes.hpp"
 #include "cases/catalogue/families.hpp"
@@ -39,12 +40,8 @@ Run sticking_run() {
   const SliderClaims expect(o, end, up, samples);
   Run run{.name = "V = 0.1 m/s, m = 50 g sticks", .problem = [=] { return pinch_scene("G04 gentle catch", o, end); }};
   run.claims = {expect.slip(1.0 / 90, "lag at t = 1/90 s"), expect.slip(end, "lag at t = 1/15 s")};
-  run.claims.push_back({.quantity = "sticks",
-                        .truth = 1,
-                        .source = "L2: V sqrt(K m) = 0.632 N <= mu_s N = 0.9 N",
-                        .measure = {.kind = Measure::Kind::no_event, .event = EventKind::breakaway},
-                        .controlled = exact_limit(),
-                        .stepped = exact_limit()});
+  run.claims.push_back(
+      yes_or_no("sticks", true, "L2: V sqrt(K m) = 0.632 N <= mu_s N = 0.9 N", none_of(EventKind::breakaway)));
   run.curve = expect.curve("object - hand [m]");
   return run;
 }

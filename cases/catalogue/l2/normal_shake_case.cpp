@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "cases/catalogue/builders/claims.hpp"
 #include "cases/catalogue/builders/near_threshold.hpp"
 #include "cases/catalogue/families.hpp"
 #include "cases/catalogue/l2/normal_shake_scene.hpp"
@@ -29,23 +30,15 @@ Run steady_run() {
   const double Z = relative_amplitude(p), swing = p.stiffness * Z;
   Run run{.name = "A = 4 mm", .problem = [=] { return normal_shake_scene(p, {1, 1}, 0, end); }};
   const auto z_at = [&](double t, const std::string& quantity) {
-    return Claim{.quantity = quantity,
-                 .unit = "m",
-                 .truth = relative_displacement(p, t),
-                 .source = "L2: z = Z sin w t, Z = A w^2/(2 K/m - w^2)",
-                 .measure = {.kind = Measure::Kind::displacement, .axis = normal, .at = t},
-                 .controlled = controlled_limit(10, "z is a tenth of the motion of hand and object"),
-                 .stepped = late_limit(p, Z)};
+    return claim(quantity, relative_displacement(p, t), "L2: z = Z sin w t, Z = A w^2/(2 K/m - w^2)",
+                 displacement_at(t, normal), controlled_limit(10, "z is a tenth of the motion of hand and object"),
+                 late_limit(p, Z));
   };
   const auto force_at = [&](int finger, double truth, const std::string& quantity) {
     const Eigen::Vector3d push = finger == thumb ? normal : Eigen::Vector3d(-normal);
-    return Claim{.quantity = quantity,
-                 .unit = "N",
-                 .truth = truth,
-                 .source = "L2: K (d0 -+ z)",
-                 .measure = {.kind = Measure::Kind::force, .axis = push, .at = peak, .phalanx = finger},
-                 .controlled = controlled_limit(10, "z is a tenth of the motion of hand and object"),
-                 .stepped = late_limit(p, swing)};
+    return claim(quantity, truth, "L2: K (d0 -+ z)",
+                 {.kind = Measure::Kind::force, .axis = push, .at = peak, .phalanx = finger},
+                 controlled_limit(10, "z is a tenth of the motion of hand and object"), late_limit(p, swing));
   };
   run.claims = {z_at(peak, "Z, at t = 4/90 s"), z_at(end, "z at t = 33/90 s"),
                 force_at(thumb, p.stiffness * (p.preload - Z), "least normal force"),
@@ -66,14 +59,12 @@ closed_form::ShakenPinch slow(double amplitude_share) {
 Run contact_run(double share) {
   const closed_form::ShakenPinch p = slow(share);
   const double end = 0.9;
-  return near_threshold(share,
-                        [=] {
-                          return normal_shake_scene(p, {1, 1}, 0, end);
-                        },
-                        {.quantity = "keeps touch",
-                         .truth = share < 1 ? 1.0 : 0.0,
-                         .source = "L2: iff Z <= d0, A <= d0 |2 K/m - w^2|/w^2",
-                         .measure = {.kind = Measure::Kind::no_event, .event = EventKind::release}});
+  return near_threshold(
+      share,
+      [=] {
+        return normal_shake_scene(p, {1, 1}, 0, end);
+      },
+      yes_or_no("keeps touch", share < 1, "L2: iff Z <= d0, A <= d0 |2 K/m - w^2|/w^2", none_of(EventKind::release)));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "cases/catalogue/builders/claims.hpp"
 #include "cases/catalogue/builders/scenes.hpp"
 #include "cases/catalogue/families.hpp"
 
@@ -43,35 +44,16 @@ Run run(const std::string& name, double sideways, bool sticks) {
   const double after = sticks ? -sideways : sideways - 2 * friction.mu_dynamic * down;
   Run run{.name = name, .problem = [=] { return scene(sideways, end); }};
   run.claims = {
-      {.quantity = "touch",
-       .unit = "s",
-       .truth = gap / down,
-       .source = "L1 = L2: gap/v",
-       .measure = {.kind = Measure::Kind::event_time, .event = EventKind::touch},
-       .controlled = absolute_controlled_limit(1 + 1 / down, "of places, over the speed of the crossing"),
-       .stepped = event_limit()},
-      {.quantity = "speed away",
-       .unit = "m/s",
-       .truth = down,
-       .source = "L2: half a period of the spring",
-       .measure = {.kind = Measure::Kind::speed, .axis = up, .at = end},
-       .controlled = controlled_limit(),
-       .stepped = blow_limit(down)},
-      {.quantity = "speed sideways",
-       .unit = "m/s",
-       .truth = after,
-       .source = sticks ? "L2: half a period of the same spring" : "L1 = L2: v - 2 mu_d v_n, slipping throughout",
-       .measure = {.kind = Measure::Kind::speed, .axis = along, .at = end},
-       .controlled = controlled_limit(),
-       .stepped = blow_limit(sticks ? sideways : friction.mu_dynamic * down)}};
+      claim("touch", gap / down, "L1 = L2: gap/v", time_of(EventKind::touch),
+            absolute_controlled_limit(1 + 1 / down, "of places, over the speed of the crossing"), event_limit()),
+      claim("speed away", down, "L2: half a period of the spring", speed_at(end, up), controlled_limit(),
+            blow_limit(down)),
+      claim("speed sideways", after,
+            sticks ? "L2: half a period of the same spring" : "L1 = L2: v - 2 mu_d v_n, slipping throughout",
+            speed_at(end, along), controlled_limit(), blow_limit(sticks ? sideways : friction.mu_dynamic * down))};
   if (!sticks)  // where it sticks, load and cone vanish together at both ends of the contact: no number tells them
                 // apart
-    run.claims.push_back({.quantity = "never sticks",
-                          .truth = 1,
-                          .source = "L2: the anchor goes on",
-                          .measure = {.kind = Measure::Kind::no_event, .event = EventKind::restick},
-                          .controlled = exact_limit(),
-                          .stepped = exact_limit()});
+    run.claims.push_back(yes_or_no("never sticks", true, "L2: the anchor goes on", none_of(EventKind::restick)));
   return run;
 }
 

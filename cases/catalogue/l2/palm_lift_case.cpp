@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/catalogue/builders/claims.hpp"
 #include "cases/catalogue/builders/near_threshold.hpp"
 #include "cases/catalogue/builders/scenes.hpp"
 #include "cases/catalogue/families.hpp"
@@ -46,33 +47,19 @@ Run flight_run() {
   const double flight = landing(l) - lift_off(l);
   const double closing_acceleration = l.gravity - l.amplitude * 18 * 18 * std::sin(18 * landing(l));
   run.claims = {
-      {.quantity = "lift-off",
-       .unit = "s",
-       .truth = lift_off(l),
-       .source = "L2: sin(w t1) = g/(A w^2) (1 - w^2/W^2), W^2 = K/m",
-       .measure = {.kind = Measure::Kind::event_time, .event = EventKind::release},
-       .controlled = controlled_limit(10, slow_crossing),
-       .stepped = event_limit(
-           3.25, "the implicit step loads the springs one step late, and rings from the start by 1.25 as much")},
-      {.quantity = "landing",
-       .unit = "s",
-       .truth = landing(l),
-       .source = "L2: root of flight(t) = A sin w t",
-       .measure = {.kind = Measure::Kind::event_time, .event = EventKind::touch},
-       .controlled = controlled_limit(),
-       .stepped = event_limit(1 + 1.5 * l.gravity * flight / -landing_speed(l),
-                              "the height is off by up to 1.5 g h over the flight")},
-      {.quantity = "landing speed",
-       .unit = "m/s",
-       .truth = landing_speed(l),
-       .source = "L2: y' - A w cos w t at the landing",
-       .measure = {.kind = Measure::Kind::speed, .event = EventKind::touch, .axis = up},
-       .controlled = controlled_limit(10, slow_crossing),
-       .stepped = {
-           .per_step = 2 * closing_acceleration,
-           .reason =
-               "launched and landed up to one sub-step late each, times the closing acceleration; at frames longer "
-               "than 1/90 s the hand's path between frames adds to it and the gate fails"}}};
+      claim("lift-off", lift_off(l), "L2: sin(w t1) = g/(A w^2) (1 - w^2/W^2), W^2 = K/m", time_of(EventKind::release),
+            controlled_limit(10, slow_crossing),
+            event_limit(3.25,
+                        "the implicit step loads the springs one step late, and rings from the start by 1.25 as much")),
+      claim("landing", landing(l), "L2: root of flight(t) = A sin w t", time_of(EventKind::touch), controlled_limit(),
+            event_limit(1 + 1.5 * l.gravity * flight / -landing_speed(l),
+                        "the height is off by up to 1.5 g h over the flight")),
+      claim("landing speed", landing_speed(l), "L2: y' - A w cos w t at the landing",
+            {.kind = Measure::Kind::speed, .event = EventKind::touch, .axis = up}, controlled_limit(10, slow_crossing),
+            {.per_step = 2 * closing_acceleration,
+             .reason =
+                 "launched and landed up to one sub-step late each, times the closing acceleration; at frames longer "
+                 "than 1/90 s the hand's path between frames adds to it and the gate fails"})};
   run.curve = Curve{"height above the hand [m]", {.kind = Measure::Kind::displacement, .axis = up}, [l](double t) {
                       return t < landing(l) ? relative_height(l, t) : std::nan("");
                     }};
@@ -85,16 +72,11 @@ Run order_run() {
   const double mid = 12.0 / 90;  // in flight, on a frame
   const double flown = mid - lift_off(l);
   Run run{.name = "leaves, k = 100 N/m", .problem = [=] { return scene(l, mid); }};
-  run.claims = {
-      {.quantity = "height above the hand at t = 2/15 s",
-       .unit = "m",
-       .truth = relative_height(l, mid),
-       .source = "L2: flight from lift-off, less A sin w t",
-       .measure = {.kind = Measure::Kind::displacement, .axis = up, .at = mid},
-       .controlled = controlled_limit(),
-       .stepped = {.per_step = 1.5 * l.gravity * flown,
-                   .reason = "launch speed off by up to g h, over the flight, + half a sub-step of bias (R03)"},
-       .converges = true}};
+  run.claims = {claim("height above the hand at t = 2/15 s", relative_height(l, mid),
+                      "L2: flight from lift-off, less A sin w t", displacement_at(mid, up), controlled_limit(),
+                      {.per_step = 1.5 * l.gravity * flown,
+                       .reason = "launch speed off by up to g h, over the flight, + half a sub-step of bias (R03)"},
+                      /*converges=*/true)};
   return run;
 }
 
@@ -104,11 +86,10 @@ Run threshold_run(double share) {
   const double softness = l.frequency * l.frequency * l.mass / l.stiffness;
   l.amplitude = share * l.gravity * (1 - softness) / (l.frequency * l.frequency);
   const double duration = 0.7;
-  return near_threshold(share, [=] { return scene(l, duration); },
-                        {.quantity = "stays on the hand",
-                         .truth = leaves(l) ? 0.0 : 1.0,
-                         .source = "L2: leaves iff A w^2 > g (1 - w^2/W^2)",
-                         .measure = {.kind = Measure::Kind::no_event, .event = EventKind::release}});
+  return near_threshold(
+      share, [=] { return scene(l, duration); },
+      yes_or_no("stays on the hand", !leaves(l), "L2: leaves iff A w^2 > g (1 - w^2/W^2)",
+                none_of(EventKind::release)));
 }
 
 }  // namespace

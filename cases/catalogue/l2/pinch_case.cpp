@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include "cases/catalogue/builders/claims.hpp"
 #include "cases/catalogue/builders/near_threshold.hpp"
 #include "cases/catalogue/builders/scenes.hpp"
 #include "cases/catalogue/families.hpp"
@@ -46,14 +47,8 @@ Run slipping_run() {
   const double t = 0.1;
   Run run{.name = "N = 2 N slips", .problem = [=] { return scene(p, t, true); }};
   const double change = 2 * slip(p, t) / t - p.acceleration * t;  // of the object's own speed; the hand's path is exact
-  run.claims = {{.quantity = "slip after 0.1 s",
-                 .unit = "m",
-                 .truth = slip(p, t),
-                 .source = "L1 = L2: (g + a - 2 mu_d N / m) T^2 / 2",
-                 .measure = {.kind = Measure::Kind::displacement, .axis = down, .at = t},
-                 .controlled = controlled_limit(),
-                 .stepped = euler_bias_limit(change),
-                 .converges = true}};
+  run.claims = {claim("slip after 0.1 s", slip(p, t), "L1 = L2: (g + a - 2 mu_d N / m) T^2 / 2",
+                      displacement_at(t, down), controlled_limit(), euler_bias_limit(change), /*converges=*/true)};
   run.curve =
       Curve{"slip [m]", {.kind = Measure::Kind::displacement, .axis = down}, [p](double s) { return slip(p, s); }};
   return run;
@@ -65,11 +60,10 @@ Run threshold_run(double share) {
   const closed_form::Pinch p = pinch(share * critical);
   const double duration = 11.0 / 90;  // at 0.98 it slips 17 mm of the 31 mm that the fingers have
   const double level = 0.5 * slip(pinch(0.98 * critical), duration);
-  return near_threshold(share, [=] { return scene(p, duration, false); },
-                        {.quantity = "holds",
-                         .truth = holds(p) ? 1.0 : 0.0,
-                         .source = "L1 = L2: n mu_s N >= m (g + a)",
-                         .measure = {.kind = Measure::Kind::held, .axis = down, .level = level}});
+  return near_threshold(
+      share, [=] { return scene(p, duration, false); },
+      yes_or_no("holds", holds(p), "L1 = L2: n mu_s N >= m (g + a)",
+                {.kind = Measure::Kind::held, .axis = down, .level = level}));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
+#include "cases/catalogue/builders/claims.hpp"
 #include "cases/catalogue/builders/scenes.hpp"
 #include "cases/catalogue/families.hpp"
 #include "cases/closed_form/pinch.hpp"
@@ -50,35 +51,18 @@ Run catalogue_run() {
   Run run{.name = "opens", .problem = [=] { return scene(o, end); }};
   const double opened = 14.0 / 90;  // the first frame with empty fingers
   run.claims = {
-      {.quantity = "slip onset",
-       .unit = "s",
-       .truth = slip_onset(o),
-       .source = "L1 = L2: t_s = (N0 - m g / (2 mu_s)) / r",
-       .measure = {.kind = Measure::Kind::event_time, .event = EventKind::breakaway},
-       .controlled = controlled_limit(),
-       .stepped = event_limit()},
-      {.quantity = "release",
-       .unit = "s",
-       .truth = open_time(o),
-       .source = "L1 = L2: t_open = N0 / r",
-       .measure = {.kind = Measure::Kind::event_time, .event = EventKind::release},
-       .controlled = controlled_limit(),
-       .stepped = event_limit()},
-      {.quantity = "fall just after the fingers open",
-       .unit = "m",
-       .truth = fall(o, opened),
-       .source = "L1 = L2: g (1 - mu_d/mu_s) tau^2/2 + mu_d r tau^3/(3 m)",
-       .measure = {.kind = Measure::Kind::displacement, .axis = down, .at = opened},
-       .controlled = controlled_limit(),
-       .stepped = {.per_step = 1.51 * fall_speed(o, opened),
-                   .reason = "onset seen up to one sub-step late, times the speed, + half a sub-step of bias (R03)"}},
-      {.quantity = "fall at t = 0.2 s",
-       .unit = "m",
-       .truth = fall(o, end),
-       .source = "L1 = L2, free fall after t_open",
-       .measure = {.kind = Measure::Kind::displacement, .axis = down, .at = end},
-       .controlled = controlled_limit(),
-       .stepped = {.per_step = 1.51 * fall_speed(o, end), .reason = "as above, at the speed of the end"}}};
+      claim("slip onset", slip_onset(o), "L1 = L2: t_s = (N0 - m g / (2 mu_s)) / r", time_of(EventKind::breakaway),
+            controlled_limit(), event_limit()),
+      claim("release", open_time(o), "L1 = L2: t_open = N0 / r", time_of(EventKind::release), controlled_limit(),
+            event_limit()),
+      claim("fall just after the fingers open", fall(o, opened),
+            "L1 = L2: g (1 - mu_d/mu_s) tau^2/2 + mu_d r tau^3/(3 m)", displacement_at(opened, down),
+            controlled_limit(),
+            {.per_step = 1.51 * fall_speed(o, opened),
+             .reason = "onset seen up to one sub-step late, times the speed, + half a sub-step of bias (R03)"}),
+      claim("fall at t = 0.2 s", fall(o, end), "L1 = L2, free fall after t_open", displacement_at(end, down),
+            controlled_limit(),
+            {.per_step = 1.51 * fall_speed(o, end), .reason = "as above, at the speed of the end"})};
   run.curve =
       Curve{"fall [m]", {.kind = Measure::Kind::displacement, .axis = down}, [o](double t) { return fall(o, t); }};
   return run;
@@ -88,15 +72,11 @@ Run order_run() {
   const closed_form::PinchOpening o = opening_on_frame();
   const double t = 12.0 / 90;  // slipping, fingers not yet open
   Run run{.name = "opens, onset on a frame", .problem = [=] { return scene(o, t); }};
-  run.claims = {{.quantity = "fall at t = 2/15 s",
-                 .unit = "m",
-                 .truth = fall(o, t),
-                 .source = "L1 = L2, as above",
-                 .measure = {.kind = Measure::Kind::displacement, .axis = down, .at = t},
-                 .controlled = controlled_limit(),
-                 .stepped = {.per_step = 1.51 * fall_speed(o, t),
-                             .reason = "onset seen up to one sub-step late, + half a sub-step of bias (R03)"},
-                 .converges = true}};
+  run.claims = {claim("fall at t = 2/15 s", fall(o, t), "L1 = L2, as above", displacement_at(t, down),
+                      controlled_limit(),
+                      {.per_step = 1.51 * fall_speed(o, t),
+                       .reason = "onset seen up to one sub-step late, + half a sub-step of bias (R03)"},
+                      /*converges=*/true)};
   return run;
 }
 

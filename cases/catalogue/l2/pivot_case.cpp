@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/catalogue/builders/claims.hpp"
 #include "cases/catalogue/builders/near_threshold.hpp"
 #include "cases/catalogue/builders/planar_scenes.hpp"
 #include "cases/catalogue/families.hpp"
@@ -81,15 +82,9 @@ const std::string source = "L2: pendulum on a spring pivot by GSL; 1e-11 against
 Claim angle_at(const PlanarSlide& s, int frame, bool converges) {
   const double t = frame / 90.0;
   const PlanarState now = planar_state(s, t);
-  return {.quantity = fmt::format("turn by t = {}/90 s", frame),
-          .unit = "rad",
-          .truth = now.angle - s.angle,
-          .pedigree = Pedigree::converged,
-          .source = source,
-          .measure = {.kind = Measure::Kind::rotation, .axis = axis, .at = t},
-          .controlled = absolute_controlled_limit(),
-          .stepped = swing_limit(t, now.spin, s.spin),
-          .converges = converges};
+  return of_pedigree(Pedigree::converged,
+                     claim(fmt::format("turn by t = {}/90 s", frame), now.angle - s.angle, source, rotation_at(t, axis),
+                           absolute_controlled_limit(), swing_limit(t, now.spin, s.spin), /*converges=*/converges));
 }
 
 Run free_run() {
@@ -115,24 +110,14 @@ Run braked_run() {
   Limit turned = swing_limit(stop.t, 0, 0);
   turned.value += 0.5 * (mass * gravity * arm + torque) / pivot_inertia / (360 * 360);
   turned.reason += "; + the turn in a sub-step at the most torque";
-  run.claims = {angle_at(s, 9, true),
-                angle_at(s, 22, false),
-                {.quantity = "end of the first swing",
-                 .unit = "s",
-                 .truth = stop.t,
-                 .pedigree = Pedigree::converged,
-                 .source = source,
-                 .measure = {.kind = Measure::Kind::event_time, .event = EventKind::restick},
-                 .controlled = absolute_controlled_limit(),
-                 .stepped = event_limit(2, "the spin is off by up to a sub-step of acceleration")},
-                {.quantity = "turn in the first swing",
-                 .unit = "rad",
-                 .truth = stop.angle - s.angle,
-                 .pedigree = Pedigree::converged,
-                 .source = source,
-                 .measure = {.kind = Measure::Kind::rotation, .event = EventKind::restick, .axis = axis},
-                 .controlled = absolute_controlled_limit(),
-                 .stepped = turned}};
+  run.claims = {
+      angle_at(s, 9, true), angle_at(s, 22, false),
+      of_pedigree(Pedigree::converged, claim("end of the first swing", stop.t, source, time_of(EventKind::restick),
+                                             absolute_controlled_limit(),
+                                             event_limit(2, "the spin is off by up to a sub-step of acceleration"))),
+      of_pedigree(Pedigree::converged,
+                  claim("turn in the first swing", stop.angle - s.angle, source,
+                        rotation_when(EventKind::restick, axis), absolute_controlled_limit(), turned))};
   return run;
 }
 
@@ -154,11 +139,10 @@ Run hold_run(double share) {
                           .stiffness = 2 * stiffness});
     of.stick_depth.push_back(2 * radius * std::sin(limit_twist / 2) / of.friction.mu_static);
   }
-  return near_threshold(share, [=] { return planar_scene("F03 near the threshold", s, of, 0.3); },
-                        {.quantity = "holds",
-                         .truth = share < 1 ? 1.0 : 0.0,
-                         .source = "L2: m g l sin th0 <= 16 k a^2 sin tw, 2 a sin(tw/2) = mu_s N/k; L1: 2 mu_s N a",
-                         .measure = {.kind = Measure::Kind::held, .axis = down, .level = 0.002}});
+  return near_threshold(
+      share, [=] { return planar_scene("F03 near the threshold", s, of, 0.3); },
+      yes_or_no("holds", share < 1, "L2: m g l sin th0 <= 16 k a^2 sin tw, 2 a sin(tw/2) = mu_s N/k; L1: 2 mu_s N a",
+                {.kind = Measure::Kind::held, .axis = down, .level = 0.002}));
 }
 
 }  // namespace

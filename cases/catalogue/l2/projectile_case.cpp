@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "cases/catalogue/builders/claims.hpp"
 #include "cases/catalogue/builders/scenes.hpp"
 #include "cases/catalogue/families.hpp"
 #include "cases/closed_form/projectile.hpp"
@@ -26,35 +27,14 @@ Case projectile_case() {
   Run run{.name = "flies", .problem = [=] { return scene(p, end); }};
   const Limit rounding{
       .value = 1e-12, .relative = true, .reason = "exact for a constant force (R03): rounding of 180 sub-steps"};
-  run.claims = {{.quantity = "distance at t = 0.5 s",
-                 .unit = "m",
-                 .truth = distance(p, end),
-                 .source = "x = vx t",
-                 .measure = {.kind = Measure::Kind::displacement, .axis = right, .at = end},
-                 .controlled = controlled_limit(),
-                 .stepped = rounding},
-                {.quantity = "speed at t = 0.5 s",
-                 .unit = "m/s",
-                 .truth = climb_at(p, end),
-                 .source = "v = vz - g t",
-                 .measure = {.kind = Measure::Kind::speed, .axis = up, .at = end},
-                 .controlled = controlled_limit(),
-                 .stepped = rounding},
-                {.quantity = "height at t = 0.1 s",
-                 .unit = "m",
-                 .truth = height(p, 0.1),
-                 .source = "z = vz t - g t^2 / 2",
-                 .measure = {.kind = Measure::Kind::displacement, .axis = up, .at = 0.1},
-                 .controlled = controlled_limit(),
-                 .stepped = euler_bias_limit(p.gravity * 0.1)},
-                {.quantity = "height at t = 0.5 s",
-                 .unit = "m",
-                 .truth = height(p, end),
-                 .source = "z = vz t - g t^2 / 2",
-                 .measure = {.kind = Measure::Kind::displacement, .axis = up, .at = end},
-                 .controlled = controlled_limit(),
-                 .stepped = euler_bias_limit(p.gravity * end),
-                 .converges = true}};
+  run.claims = {
+      claim("distance at t = 0.5 s", distance(p, end), "x = vx t", displacement_at(end, right), controlled_limit(),
+            rounding),
+      claim("speed at t = 0.5 s", climb_at(p, end), "v = vz - g t", speed_at(end, up), controlled_limit(), rounding),
+      claim("height at t = 0.1 s", height(p, 0.1), "z = vz t - g t^2 / 2", displacement_at(0.1, up), controlled_limit(),
+            euler_bias_limit(p.gravity * 0.1)),
+      claim("height at t = 0.5 s", height(p, end), "z = vz t - g t^2 / 2", displacement_at(end, up), controlled_limit(),
+            euler_bias_limit(p.gravity * end), /*converges=*/true)};
   run.curve =
       Curve{"height [m]", {.kind = Measure::Kind::displacement, .axis = up}, [p](double t) { return height(p, t); }};
   return {.id = "A01",

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "cases/catalogue/builders/claims.hpp"
 #include "cases/catalogue/builders/near_threshold.hpp"
 #include "cases/catalogue/families.hpp"
 #include "cases/catalogue/l2/normal_shake_scene.hpp"
@@ -35,34 +36,22 @@ Run creeping_run() {
       "twice the shift that a damping of h K gives (backward error analysis of the implicit step), + the late answer "
       "of "
       "the normal springs";
-  run.claims = {{.quantity = "first slip",
-                 .unit = "s",
-                 .truth = truth.first_breakaway().t,
-                 .source = source,
-                 .measure = {.kind = Measure::Kind::event_time, .event = EventKind::breakaway},
-                 .controlled = absolute_controlled_limit(),
-                 .stepped = {.per_step = 2.03 + shift(truth.first_breakaway().t, stepped.first_breakaway().t),
-                             .reason = "shows at the end of its sub-step, + " + analysis}},
-                {.quantity = "first stop",
-                 .unit = "s",
-                 .truth = truth.first_restick().t,
-                 .source = source,
-                 .measure = {.kind = Measure::Kind::event_time, .event = EventKind::restick},
-                 .controlled = absolute_controlled_limit(
-                     1 + std::sqrt(2 * r.pinch.stiffness / r.pinch.mass) / std::abs(truth.first_restick().rate),
-                     "a speed of the oscillation is known to w times its place; over the rate at which it vanishes"),
-                 .stepped = {.per_step = 2.03 + shift(truth.first_restick().t, stepped.first_restick().t),
-                             .reason = "shows at the end of its sub-step, + " + analysis}}};
+  run.claims = {
+      claim("first slip", truth.first_breakaway().t, source, time_of(EventKind::breakaway), absolute_controlled_limit(),
+            {.per_step = 2.03 + shift(truth.first_breakaway().t, stepped.first_breakaway().t),
+             .reason = "shows at the end of its sub-step, + " + analysis}),
+      claim("first stop", truth.first_restick().t, source, time_of(EventKind::restick),
+            absolute_controlled_limit(
+                1 + std::sqrt(2 * r.pinch.stiffness / r.pinch.mass) / std::abs(truth.first_restick().rate),
+                "a speed of the oscillation is known to w times its place; over the rate at which it vanishes"),
+            {.per_step = 2.03 + shift(truth.first_restick().t, stepped.first_restick().t),
+             .reason = "shows at the end of its sub-step, + " + analysis})};
   for (const double t : {cycle, end}) {
     const double creep = truth.creep(t);
-    run.claims.push_back({.quantity = t < end ? "creep in the first cycle" : "creep in two cycles",
-                          .unit = "m",
-                          .truth = creep,
-                          .source = source,
-                          .measure = {.kind = Measure::Kind::displacement, .axis = down, .at = t},
-                          .controlled = absolute_controlled_limit(),
-                          .stepped = {.per_step = shift(creep, stepped.creep(t)) + 1.03 * r.pinch.frequency * creep,
-                                      .reason = analysis}});
+    run.claims.push_back(
+        claim(t < end ? "creep in the first cycle" : "creep in two cycles", creep, source, displacement_at(t, down),
+              absolute_controlled_limit(),
+              {.per_step = shift(creep, stepped.creep(t)) + 1.03 * r.pinch.frequency * creep, .reason = analysis}));
   }
   run.curve = Curve{
       "creep [m]", {.kind = Measure::Kind::displacement, .axis = down}, [truth](double t) { return truth.creep(t); }};
@@ -74,14 +63,12 @@ Run threshold_run(double share) {
   closed_form::Ratchet r;
   r.pinch = {.stiffness = 800, .preload = 0.003, .amplitude = 1, .frequency = 8};
   r.pinch.amplitude = share * shakedown_amplitude(r) / relative_amplitude(r.pinch);
-  return near_threshold(share,
-                        [=] {
-                          return normal_shake_scene(r.pinch, {r.mu, r.mu}, r.gravity, 0.9);
-                        },
-                        {.quantity = "shakes down",
-                         .truth = share < 1 ? 1.0 : 0.0,
-                         .source = "L2: iff mu K (d0 - Z) >= m g/2",
-                         .measure = {.kind = Measure::Kind::no_event, .event = EventKind::breakaway}});
+  return near_threshold(
+      share,
+      [=] {
+        return normal_shake_scene(r.pinch, {r.mu, r.mu}, r.gravity, 0.9);
+      },
+      yes_or_no("shakes down", share < 1, "L2: iff mu K (d0 - Z) >= m g/2", none_of(EventKind::breakaway)));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include "cases/catalogue/builders/claims.hpp"
 #include "cases/catalogue/builders/prescribed_hand.hpp"
 #include "cases/catalogue/builders/scenes.hpp"
 #include "cases/catalogue/families.hpp"
@@ -84,27 +85,12 @@ Run run(const std::string& name, double radius, const std::function<Mesh()>& mes
   const Limit controlled{.value = share, .relative = true, .reason = of_facets};
   const Limit limit{.value = interpolated, .per_step = step, .relative = true, .reason = surface + stepped};
   Run run{.name = name, .problem = [=] { return scene(name, r, mesh(), end); }};
-  run.claims = {{.quantity = "torque at t = 0.2 s",
-                 .unit = "N m",
-                 .truth = torque,
-                 .source = "L2: K e R, e = rho sin(phi), sin(phi) + mu cos(phi) = mu R/rho",
-                 .measure = {.kind = Measure::Kind::torque, .axis = axis, .at = mid},
-                 .controlled = controlled,
-                 .stepped = limit},
-                {.quantity = "torque at t = 0.4 s",
-                 .unit = "N m",
-                 .truth = torque,
-                 .source = "L2: the same all the way round",
-                 .measure = {.kind = Measure::Kind::torque, .axis = axis, .at = end},
-                 .controlled = controlled,
-                 .stepped = limit},
-                {.quantity = "energy lost",
-                 .unit = "J",
-                 .truth = loss,
-                 .source = "L2: torque times the angle gone round",
-                 .measure = {.kind = Measure::Kind::dissipated, .at = end},
-                 .controlled = controlled,
-                 .stepped = limit}};
+  run.claims = {claim("torque at t = 0.2 s", torque, "L2: K e R, e = rho sin(phi), sin(phi) + mu cos(phi) = mu R/rho",
+                      {.kind = Measure::Kind::torque, .axis = axis, .at = mid}, controlled, limit),
+                claim("torque at t = 0.4 s", torque, "L2: the same all the way round",
+                      {.kind = Measure::Kind::torque, .axis = axis, .at = end}, controlled, limit),
+                claim("energy lost", loss, "L2: torque times the angle gone round",
+                      {.kind = Measure::Kind::dissipated, .at = end}, controlled, limit)};
   return run;
 }
 

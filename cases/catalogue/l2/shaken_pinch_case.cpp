@@ -2,6 +2,7 @@
 #include <cmath>
 #include <complex>
 
+#include "cases/catalogue/builders/claims.hpp"
 #include "cases/catalogue/builders/near_threshold.hpp"
 #include "cases/catalogue/builders/slider_claims.hpp"
 #include "cases/catalogue/builders/slider_scenes.hpp"
@@ -50,11 +51,9 @@ Run slipping_run() {
 Run threshold_run(double share) {
   const auto o = shaken(share * critical_amplitude());
   const double end = 0.55;  // two periods
-  return near_threshold(share, [=] { return pinch_scene("D04 near the threshold", o, end); },
-                        {.quantity = "holds",
-                         .truth = share < 1 ? 1.0 : 0.0,
-                         .source = "L2: m (g + A w^2 |H|) <= 2 mu_s N",
-                         .measure = {.kind = Measure::Kind::no_event, .event = EventKind::breakaway}});
+  return near_threshold(
+      share, [=] { return pinch_scene("D04 near the threshold", o, end); },
+      yes_or_no("holds", share < 1, "L2: m (g + A w^2 |H|) <= 2 mu_s N", none_of(EventKind::breakaway)));
 }
 
 }  // namespace

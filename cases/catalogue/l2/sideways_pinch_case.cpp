@@ -2,6 +2,7 @@
 #include <cmath>
 #include <complex>
 
+#include "cases/catalogue/builders/claims.hpp"
 #include "cases/catalogue/builders/near_threshold.hpp"
 #include "cases/catalogue/builders/scenes.hpp"
 #include "cases/catalogue/builders/slider_claims.hpp"
@@ -66,11 +67,9 @@ Run slipping_run() {
 
 Run threshold_run(double share) {
   const double amplitude = share * critical_amplitude(), end = 0.85;  // two periods
-  return near_threshold(share, [=] { return scene(amplitude, end); },
-                        {.quantity = "holds",
-                         .truth = share < 1 ? 1.0 : 0.0,
-                         .source = "L2: sqrt(g^2 + (A w^2 |H|)^2) <= 2 mu_s N/m",
-                         .measure = {.kind = Measure::Kind::no_event, .event = EventKind::breakaway}});
+  return near_threshold(
+      share, [=] { return scene(amplitude, end); },
+      yes_or_no("holds", share < 1, "L2: sqrt(g^2 + (A w^2 |H|)^2) <= 2 mu_s N/m", none_of(EventKind::breakaway)));
 }
 
 }  // namespace

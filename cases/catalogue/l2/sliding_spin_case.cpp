@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "cases/catalogue/builders/claims.hpp"
 #include "cases/catalogue/builders/planar_scenes.hpp"
 #include "cases/catalogue/builders/scenes.hpp"
 #include "cases/catalogue/families.hpp"
@@ -70,41 +71,23 @@ Case sliding_spin_case() {
   for (const double t : {mid, late}) {
     const PlanarState now = planar_state(s, t);
     const std::string when = t == mid ? " at t = 0.1 s" : " at t = 8/45 s";
-    run.claims.push_back({.quantity = "place" + when,
-                          .unit = "m",
-                          .truth = now.center.y(),
-                          .pedigree = Pedigree::converged,
-                          .source = source,
-                          .measure = {.kind = Measure::Kind::displacement, .axis = along, .at = t},
-                          .controlled = controlled_limit(),
-                          .stepped = stepped_limit(change_of(s, t, place), t),
-                          .converges = t == mid});
-    run.claims.push_back({.quantity = "drift aside" + when,
-                          .unit = "m",
-                          .truth = now.center.x(),
-                          .pedigree = Pedigree::converged,
-                          .source = source,
-                          .measure = {.kind = Measure::Kind::displacement, .axis = sideways, .at = t},
-                          .controlled = controlled_limit(10, "a twentieth of the way"),
-                          .stepped = stepped_limit(change_of(s, t, drift), t)});
+    run.claims.push_back(
+        of_pedigree(Pedigree::converged,
+                    claim("place" + when, now.center.y(), source, displacement_at(t, along), controlled_limit(),
+                          stepped_limit(change_of(s, t, place), t), /*converges=*/t == mid)));
+    run.claims.push_back(
+        of_pedigree(Pedigree::converged,
+                    claim("drift aside" + when, now.center.x(), source, displacement_at(t, sideways),
+                          controlled_limit(10, "a twentieth of the way"), stepped_limit(change_of(s, t, drift), t))));
     // Of first order too, but lead and lag nearly cancel: its order would show that of the second.
-    run.claims.push_back({.quantity = "angle" + when,
-                          .unit = "rad",
-                          .truth = now.angle,
-                          .pedigree = Pedigree::converged,
-                          .source = source,
-                          .measure = {.kind = Measure::Kind::rotation, .axis = axis, .at = t},
-                          .controlled = controlled_limit(),
-                          .stepped = stepped_limit(change_of(s, t, turn), t)});
+    run.claims.push_back(
+        of_pedigree(Pedigree::converged, claim("angle" + when, now.angle, source, rotation_at(t, axis),
+                                               controlled_limit(), stepped_limit(change_of(s, t, turn), t))));
   }
-  run.claims.push_back({.quantity = "first sample sticks",
-                        .unit = "s",
-                        .truth = stop.t,
-                        .pedigree = Pedigree::converged,
-                        .source = source,
-                        .measure = {.kind = Measure::Kind::event_time, .event = EventKind::restick},
-                        .controlled = absolute_controlled_limit(),
-                        .stepped = event_limit(2, "speeds are off by up to a sub-step of acceleration")});
+  run.claims.push_back(
+      of_pedigree(Pedigree::converged,
+                  claim("first sample sticks", stop.t, source, time_of(EventKind::restick), absolute_controlled_limit(),
+                        event_limit(2, "speeds are off by up to a sub-step of acceleration"))));
   run.curve = Curve{"place [m]", {.kind = Measure::Kind::displacement, .axis = along}, [=](double t) {
                       return t < stop.t ? planar_state(s, t).center.y() : std::nan("");
                     }};

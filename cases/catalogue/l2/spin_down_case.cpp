@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
+#include "cases/catalogue/builders/claims.hpp"
 #include "cases/catalogue/builders/scenes.hpp"
 #include "cases/catalogue/families.hpp"
 #include "cases/closed_form/spin_down.hpp"
@@ -70,28 +71,15 @@ Case spin_down_case() {
   const double mid = 18.0 / 90;  // still spinning, on a frame
   const double deceleration = torque(s, ring_patch) / s.inertia;
   Run run{.name = "spins down", .problem = [=] { return scene(duration); }};
-  run.claims = {{.quantity = "stop time",
-                 .unit = "s",
-                 .truth = stop_time(s, ring_patch),
-                 .source = "L2: I w0 / T, T = 2 mu N sqrt(a^2 - rho^2), rho = mu N / K",
-                 .measure = {.kind = Measure::Kind::event_time, .event = EventKind::restick},
-                 .controlled = controlled_limit(),
-                 .stepped = event_limit()},
-                {.quantity = "angle at the stop",
-                 .unit = "rad",
-                 .truth = stop_angle(s, ring_patch),
-                 .source = "L2: I w0^2 / (2 T)",
-                 .measure = {.kind = Measure::Kind::rotation, .event = EventKind::restick, .axis = axis},
-                 .controlled = controlled_limit(),
-                 .stepped = turned_limit(s.spin, stop_angle(s, ring_patch))},
-                {.quantity = "angle at t = 0.2 s",
-                 .unit = "rad",
-                 .truth = angle(s, ring_patch, mid),
-                 .source = "L2: w0 t - T t^2 / (2 I)",
-                 .measure = {.kind = Measure::Kind::rotation, .axis = axis, .at = mid},
-                 .controlled = controlled_limit(),
-                 .stepped = turned_limit(deceleration * mid, s.spin * mid - angle(s, ring_patch, mid)),
-                 .converges = true}};
+  run.claims = {
+      claim("stop time", stop_time(s, ring_patch), "L2: I w0 / T, T = 2 mu N sqrt(a^2 - rho^2), rho = mu N / K",
+            time_of(EventKind::restick), controlled_limit(), event_limit()),
+      claim("angle at the stop", stop_angle(s, ring_patch), "L2: I w0^2 / (2 T)",
+            rotation_when(EventKind::restick, axis), controlled_limit(),
+            turned_limit(s.spin, stop_angle(s, ring_patch))),
+      claim("angle at t = 0.2 s", angle(s, ring_patch, mid), "L2: w0 t - T t^2 / (2 I)", rotation_at(mid, axis),
+            controlled_limit(), turned_limit(deceleration * mid, s.spin * mid - angle(s, ring_patch, mid)),
+            /*converges=*/true)};
   run.curve = Curve{"angle [rad]", {.kind = Measure::Kind::rotation, .axis = axis}, [s](double t) {
                       return t < stop_time(s, ring_patch) ? angle(s, ring_patch, t) : std::nan("");
                     }};

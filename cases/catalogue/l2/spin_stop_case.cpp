@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/catalogue/builders/claims.hpp"
 #include "cases/catalogue/builders/near_threshold.hpp"
 #include "cases/catalogue/builders/scenes.hpp"
 #include "cases/catalogue/families.hpp"
@@ -39,38 +40,18 @@ Run slipping_run() {
   const double ring = residual_amplitude(s), frequency = residual_frequency(s);
   const double swung = after - restick_time(s);
   run.claims = {
-      {.quantity = "slip onset",
-       .unit = "s",
-       .truth = breakaway_time(s),
-       .source = "L2: pendulum with W^2 = 2 K a^2/I to the chord 2 a sin(th/2) = mu_s N/K",
-       .measure = {.kind = Measure::Kind::event_time, .event = EventKind::breakaway},
-       .controlled = followed,
-       .stepped = event_limit(1.5, ramp)},
-      {.quantity = "stop time",
-       .unit = "s",
-       .truth = restick_time(s),
-       .source = "L2: t1 + integral of I dw/(T cos psi(w))",
-       .measure = {.kind = Measure::Kind::event_time, .event = EventKind::restick},
-       .controlled = followed,
-       .stepped = event_limit(1.5, ramp)},
-      {.quantity = "angle at the stop",
-       .unit = "rad",
-       .truth = restick_angle(s),
-       .source = "L2: int T cos psi dth = I w1^2/2 on the curve of pursuit",
-       .measure = {.kind = Measure::Kind::rotation, .event = EventKind::restick, .axis = axis},
-       .controlled = followed,
-       .stepped = {.per_step = 1.02 * s.spin,
-                   .reason =
-                       "half a sub-step of bias (R03) + half a sub-step of early braking, times the spin, + 2 %"}},
-      {.quantity = "angle at t = 0.1 s",
-       .unit = "rad",
-       .truth = angle(s, after),
-       .source = "L2: pendulum with W^2 = 2 K a b/I about the anchors",
-       .measure = {.kind = Measure::Kind::rotation, .axis = axis, .at = after},
-       .controlled = followed,
-       .stepped = {
-           .per_step = 1.02 * s.spin + 1.5 * ring * frequency + implicit_ring_limit(ring, frequency, swung).per_step,
-           .reason = "as at the stop, + the oscillation's start up to 1.5 sub-steps off, + its damping"}}};
+      claim("slip onset", breakaway_time(s), "L2: pendulum with W^2 = 2 K a^2/I to the chord 2 a sin(th/2) = mu_s N/K",
+            time_of(EventKind::breakaway), followed, event_limit(1.5, ramp)),
+      claim("stop time", restick_time(s), "L2: t1 + integral of I dw/(T cos psi(w))", time_of(EventKind::restick),
+            followed, event_limit(1.5, ramp)),
+      claim("angle at the stop", restick_angle(s), "L2: int T cos psi dth = I w1^2/2 on the curve of pursuit",
+            rotation_when(EventKind::restick, axis), followed,
+            {.per_step = 1.02 * s.spin,
+             .reason = "half a sub-step of bias (R03) + half a sub-step of early braking, times the spin, + 2 %"}),
+      claim("angle at t = 0.1 s", angle(s, after), "L2: pendulum with W^2 = 2 K a b/I about the anchors",
+            rotation_at(after, axis), followed,
+            {.per_step = 1.02 * s.spin + 1.5 * ring * frequency + implicit_ring_limit(ring, frequency, swung).per_step,
+             .reason = "as at the stop, + the oscillation's start up to 1.5 sub-steps off, + its damping"})};
   return run;
 }
 
@@ -84,21 +65,15 @@ closed_form::SpinStop slow(double share) {
 Run threshold_run(double share) {
   const closed_form::SpinStop s = slow(share);
   const double end = 0.6;
-  Run run = near_threshold(share, [=] { return scene(s, end); },
-                           {.quantity = "sticks",
-                            .truth = share < 1 ? 1.0 : 0.0,
-                            .source = "L2: sticks iff a w0/W <= mu_s N/K",
-                            .measure = {.kind = Measure::Kind::no_event, .event = EventKind::breakaway}});
+  Run run = near_threshold(
+      share, [=] { return scene(s, end); },
+      yes_or_no("sticks", share < 1, "L2: sticks iff a w0/W <= mu_s N/K", none_of(EventKind::breakaway)));
   if (share > 1) return run;
   const double t = 36.0 / 90;
-  run.claims.push_back({.quantity = "angle at t = 0.4 s",
-                        .unit = "rad",
-                        .truth = angle(s, t),
-                        .source = "L2: sin(th/2) = kappa sn(W t, kappa), kappa = w0/(2 W)",
-                        .measure = {.kind = Measure::Kind::rotation, .axis = axis, .at = t},
-                        .controlled = controlled_limit(),
-                        .stepped = implicit_ring_limit(s.spin / torsional_frequency(s), torsional_frequency(s), t),
-                        .converges = true});
+  run.claims.push_back(
+      claim("angle at t = 0.4 s", angle(s, t), "L2: sin(th/2) = kappa sn(W t, kappa), kappa = w0/(2 W)",
+            rotation_at(t, axis), controlled_limit(),
+            implicit_ring_limit(s.spin / torsional_frequency(s), torsional_frequency(s), t), /*converges=*/true));
   run.curve = Curve{
       "angle [rad]", {.kind = Measure::Kind::rotation, .axis = axis}, [s](double time) { return angle(s, time); }};
   return run;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "cases/catalogue/builders/claims.hpp"
 #include "cases/catalogue/builders/scenes.hpp"
 #include "cases/catalogue/families.hpp"
 #include "cases/closed_form/bodies.hpp"
@@ -44,32 +45,26 @@ Limit onset_limit() {
   return event_limit(2.5, "the step's acceleration is that of its start, and the hand's between frames a guess");
 }
 
+/// Breakaways of the pair, or of the lower block on the palm.
+Measure breakaway(Measure::Kind kind, bool pair) {
+  Measure measure{.kind = kind, .event = EventKind::breakaway, .body = lower};
+  if (pair) measure.owner = upper;
+  if (!pair) measure.phalanx = palm;
+  return measure;
+}
+
 Claim onset_claim(const Stack& s, bool pair) {
-  Claim claim{
-      .quantity = "onset",
-      .unit = "s",
-      .truth = onset(s),
-      .source = "L1 = L2: mu g/j",
-      .measure = {.kind = Measure::Kind::event_time, .event = EventKind::breakaway, .body = lower},
-      .controlled = absolute_controlled_limit(
+  return claim(
+      "onset", onset(s), "L1 = L2: mu g/j", breakaway(Measure::Kind::event_time, pair),
+      absolute_controlled_limit(
           1 + (pair ? s.stiffness_pair / s.mass_upper : s.stiffness_palm / (s.mass_lower + s.mass_upper)) / s.jerk,
           "K times that of places, over the m j a second with which the load grows"),
-      .stepped = onset_limit()};
-  if (pair) claim.measure.owner = upper;
-  if (!pair) claim.measure.phalanx = palm;
-  return claim;
+      onset_limit());
 }
 
 Claim holds_claim(bool pair) {
-  Claim claim{.quantity = pair ? "the pair holds" : "the palm holds",
-              .truth = 1,
-              .source = "L2: its load stays below its cone",
-              .measure = {.kind = Measure::Kind::no_event, .event = EventKind::breakaway, .body = lower},
-              .controlled = exact_limit(),
-              .stepped = exact_limit()};
-  if (pair) claim.measure.owner = upper;
-  if (!pair) claim.measure.phalanx = palm;
-  return claim;
+  return yes_or_no(pair ? "the pair holds" : "the palm holds", true, "L2: its load stays below its cone",
+                   breakaway(Measure::Kind::no_event, pair));
 }
 
 Claim slip_claim(const Stack& s, bool pair, double end) {
@@ -79,17 +74,14 @@ Claim slip_claim(const Stack& s, bool pair, double end) {
   // 2.5 steps, of second order since the acceleration does not jump.
   constexpr double late = 2.5, step = 1.0 / 360;
   const double lag = -(pair ? upper_start_speed(s) : lower_start_speed(s));
-  return {.quantity = pair ? "slip of the upper block" : "slip of the lower block",
-          .unit = "m",
-          .truth = truth,
-          .source = pair ? "L2: constant acceleration mu g from the onset on"
-                         : "L2: the centre of mass has mu g; the upper spring swings about its load",
-          .measure = {.kind = Measure::Kind::displacement, .axis = along, .at = end, .body = pair ? upper : lower},
-          .controlled = absolute_controlled_limit(),
-          .stepped = {.per_step = lag + 0.5 * s.jerk * late * late * step * after,
-                      .reason =
-                          "the lag of springs whose load is a step late, and an onset late by 2.5 steps: j (2.5 h)^2/2 "
-                          "of speed"}};
+  return claim(pair ? "slip of the upper block" : "slip of the lower block", truth,
+               pair ? "L2: constant acceleration mu g from the onset on"
+                    : "L2: the centre of mass has mu g; the upper spring swings about its load",
+               {.kind = Measure::Kind::displacement, .axis = along, .at = end, .body = pair ? upper : lower},
+               absolute_controlled_limit(),
+               {.per_step = lag + 0.5 * s.jerk * late * late * step * after,
+                .reason = "the lag of springs whose load is a step late, and an onset late by 2.5 steps: j (2.5 h)^2/2 "
+                          "of speed"});
 }
 
 Run run(const std::string& name, const Stack& s, bool pair, double end) {

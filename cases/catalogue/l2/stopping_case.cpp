@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
+#include "cases/catalogue/builders/claims.hpp"
 #include "cases/catalogue/builders/scenes.hpp"
 #include "cases/catalogue/families.hpp"
 #include "cases/closed_form/stopping.hpp"
@@ -51,38 +52,18 @@ Case stopping_case() {
       (stop_distance(s) - rest_distance(s)) * std::exp(-s.damping / (2 * s.mass) * (duration - stop_time(s)));
   Run run{.name = "stops", .problem = [=] { return scene(duration); }};
   run.claims = {
-      {.quantity = "stop time",
-       .unit = "s",
-       .truth = stop_time(s),
-       .source = "L1 = L2: t = v0 / (mu_d g)",
-       .measure = {.kind = Measure::Kind::event_time, .event = EventKind::restick},
-       .controlled = controlled_limit(),
-       .stepped = event_limit()},
-      {.quantity = "slip at the stop",
-       .unit = "m",
-       .truth = stop_distance(s),
-       .source = "L1 = L2: D = v0^2 / (2 mu_d g)",
-       .measure = {.kind = Measure::Kind::displacement, .event = EventKind::restick, .axis = along},
-       .controlled = controlled_limit(),
-       .stepped = euler_bias_limit(s.speed)},
-      {.quantity = "slip at t = 1/6 s",
-       .unit = "m",
-       .truth = distance(s, mid),
-       .source = "L1 = L2: x = v0 t - mu_d g t^2 / 2",
-       .measure = {.kind = Measure::Kind::displacement, .axis = along, .at = mid},
-       .controlled = controlled_limit(),
-       .stepped = euler_bias_limit(s.mu_dynamic * s.gravity * mid),
-       .converges = true},
-      {.quantity = "place at t = 0.5 s",
-       .unit = "m",
-       .truth = distance(s, duration),
-       .source = "L2: D - rho + rho exp(-delta tau) (cos w tau + delta/w sin w tau), rho = mu_d m g / K",
-       .measure = {.kind = Measure::Kind::displacement, .axis = along, .at = duration},
-       .controlled = controlled_limit(10, "the phase of the ring-down adds to the stop"),
-       .stepped = {
-           .value = 2 * swing,
-           .per_step = 0.51 * s.speed,
-           .reason = "bias at the stop (R03) + twice the swing of the springs, rho exp(-delta tau), that is left"}}};
+      claim("stop time", stop_time(s), "L1 = L2: t = v0 / (mu_d g)", time_of(EventKind::restick), controlled_limit(),
+            event_limit()),
+      claim("slip at the stop", stop_distance(s), "L1 = L2: D = v0^2 / (2 mu_d g)",
+            displacement_when(EventKind::restick, along), controlled_limit(), euler_bias_limit(s.speed)),
+      claim("slip at t = 1/6 s", distance(s, mid), "L1 = L2: x = v0 t - mu_d g t^2 / 2", displacement_at(mid, along),
+            controlled_limit(), euler_bias_limit(s.mu_dynamic * s.gravity * mid), /*converges=*/true),
+      claim("place at t = 0.5 s", distance(s, duration),
+            "L2: D - rho + rho exp(-delta tau) (cos w tau + delta/w sin w tau), rho = mu_d m g / K",
+            displacement_at(duration, along), controlled_limit(10, "the phase of the ring-down adds to the stop"),
+            {.value = 2 * swing,
+             .per_step = 0.51 * s.speed,
+             .reason = "bias at the stop (R03) + twice the swing of the springs, rho exp(-delta tau), that is left"})};
   run.curve =
       Curve{"slip [m]", {.kind = Measure::Kind::displacement, .axis = along}, [s](double t) { return distance(s, t); }};
   return {.id = "C03",

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/catalogue/builders/claims.hpp"
 #include "cases/catalogue/builders/near_threshold.hpp"
 #include "cases/catalogue/builders/slider_claims.hpp"
 #include "cases/catalogue/builders/slider_scenes.hpp"
@@ -42,11 +43,10 @@ Run slipping_run(double normal_force, const Friction& friction) {
 Run threshold_run(double share) {
   const auto o = released(0.2 * gravity / (share * 0.5), {0.5, 0.5});
   const double end = 0.25;  // three and a half periods
-  Run run = near_threshold(share, [=] { return pinch_scene("G02 near the threshold", o, end); },
-                           {.quantity = "holds",
-                            .truth = share < 1 ? 1.0 : 0.0,
-                            .source = "L2: no slip iff 2 m g <= 2 mu_s N, dynamic load factor 2",
-                            .measure = {.kind = Measure::Kind::no_event, .event = EventKind::breakaway}});
+  Run run = near_threshold(
+      share, [=] { return pinch_scene("G02 near the threshold", o, end); },
+      yes_or_no("holds", share < 1, "L2: no slip iff 2 m g <= 2 mu_s N, dynamic load factor 2",
+                none_of(EventKind::breakaway)));
   run.not_stepped =
       "the implicit step damps the first swing by exp(-pi w h/2), a third at w h = 0.25, and so holds 16 % more than "
       "the "

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
+#include "cases/catalogue/builders/claims.hpp"
 #include "cases/catalogue/builders/scenes.hpp"
 #include "cases/catalogue/families.hpp"
 
@@ -27,15 +28,11 @@ Limit braked_limit(double way, double t) {
           .reason = "the implicit step brakes with (1 + h/tau)^-n: twice e^(-t/tau) t h/(2 tau^2) of the whole way"};
 }
 
-Claim braked(const std::string& quantity, const std::string& unit, double start, Measure::Kind kind, double t) {
+Claim braked(const std::string& quantity, double start, Measure::Kind kind, double t) {
   const double way = start * support_time;
-  return {.quantity = quantity,
-          .unit = unit,
-          .truth = way * -std::expm1(-t / support_time),
-          .source = "L1 = L2: tau v (1 - e^(-t/tau))",
-          .measure = {.kind = kind, .axis = kind == Measure::Kind::rotation ? up : along, .at = t},
-          .controlled = controlled_limit(),
-          .stepped = braked_limit(way, t)};
+  return claim(quantity, way * -std::expm1(-t / support_time), "L1 = L2: tau v (1 - e^(-t/tau))",
+               {.kind = kind, .axis = kind == Measure::Kind::rotation ? up : along, .at = t}, controlled_limit(),
+               braked_limit(way, t));
 }
 
 }  // namespace
@@ -43,13 +40,13 @@ Claim braked(const std::string& quantity, const std::string& unit, double start,
 Case support_case() {
   const double end = 4.0 / 90;
   Run run{.name = "brakes", .problem = [=] { return scene(end); }};
-  run.claims = {braked("angle", "rad", spin, Measure::Kind::rotation, end),
-                braked("way", "m", speed, Measure::Kind::displacement, end),
+  run.claims = {braked("angle", spin, Measure::Kind::rotation, end),
+                braked("way", speed, Measure::Kind::displacement, end),
                 {.quantity = "sag",
                  .unit = "m",
                  .truth = 0,
                  .source = "L1 = L2: it carries the weight",
-                 .measure = {.kind = Measure::Kind::displacement, .axis = up, .at = end},
+                 .measure = displacement_at(end, up),
                  .controlled = absolute_controlled_limit(),
                  .stepped = {.value = 5e-15, .reason = "no force at all: rounding of places of a metre"},
                  .scale = speed * support_time}};

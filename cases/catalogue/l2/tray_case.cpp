@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "cases/catalogue/builders/claims.hpp"
 #include "cases/catalogue/builders/scenes.hpp"
 #include "cases/catalogue/families.hpp"
 #include "cases/closed_form/tray.hpp"
@@ -32,17 +33,14 @@ Case tray_case() {
   const auto truth = vertical_forces(tray);
   const char* const names[] = {"force at (+a, +b)", "force at (+a, -b)", "force at (-a, +b)", "force at (-a, -b)"};
   for (int i = 0; i < 4; ++i)
-    run.claims.push_back(
-        {.quantity = names[i],
-         .unit = "N",
-         .truth = truth[std::size_t(i)],
-         .source = "L2: m g/4 - k (R c_i)_z, R the lean at which k sum (R c_i) x c_i = m g (R r) x z",
-         .measure = {.kind = Measure::Kind::force, .axis = Eigen::Vector3d::UnitZ(), .at = end, .sample = i},
-         .controlled = controlled_limit(),
-         .stepped = {.value = 1e-12,
-                     .relative = true,
-                     .reason = "rest does not depend on the step, and nothing of the settling is left: the solve, to "
-                               "1e-13, and rounding"}});
+    run.claims.push_back(claim(
+        names[i], truth[std::size_t(i)],
+        "L2: m g/4 - k (R c_i)_z, R the lean at which k sum (R c_i) x c_i = m g (R r) x z",
+        {.kind = Measure::Kind::force, .axis = Eigen::Vector3d::UnitZ(), .at = end, .sample = i}, controlled_limit(),
+        {.value = 1e-12,
+         .relative = true,
+         .reason = "rest does not depend on the step, and nothing of the settling is left: the solve, to "
+                   "1e-13, and rounding"}));
   return {
       .id = "G07",
       .title = "How four springs share a tray",

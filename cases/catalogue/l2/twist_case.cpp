@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include "cases/catalogue/builders/claims.hpp"
 #include "cases/catalogue/builders/prescribed_hand.hpp"
 #include "cases/catalogue/builders/scenes.hpp"
 #include "cases/catalogue/families.hpp"
@@ -43,24 +44,15 @@ Limit pursuit_limit(const closed_form::TwistedRing& r, double angle) {
 
 Claim torque_at(const closed_form::TwistedRing& r, int frame, bool converges) {
   const double t = frame / 90.0;
-  return {.quantity = fmt::format("torque at {:.4g} rad", spin * t),
-          .unit = "N m",
-          .truth = torque(r, spin * t),
-          .source = "L2: sum of k D^2 sin th (stick) and F D cos psi(th) (slip, curve of pursuit)",
-          .measure = {.kind = Measure::Kind::torque, .axis = up, .at = t, .point = {r.offset, 0, 0}},
-          .controlled = controlled_limit(),
-          .stepped = pursuit_limit(r, spin * t),
-          .converges = converges};
+  return claim(fmt::format("torque at {:.4g} rad", spin * t), torque(r, spin * t),
+               "L2: sum of k D^2 sin th (stick) and F D cos psi(th) (slip, curve of pursuit)",
+               {.kind = Measure::Kind::torque, .axis = up, .at = t, .point = {r.offset, 0, 0}}, controlled_limit(),
+               pursuit_limit(r, spin * t), /*converges=*/converges);
 }
 
 Claim first_slip(const closed_form::TwistedRing& r) {
-  return {.quantity = "first slip",
-          .unit = "s",
-          .truth = first_slip_angle(r) / spin,
-          .source = "L2: 2 asin(mu N/(2 n k max D)) of turn",
-          .measure = {.kind = Measure::Kind::event_time, .event = EventKind::breakaway},
-          .controlled = controlled_limit(),
-          .stepped = event_limit()};
+  return claim("first slip", first_slip_angle(r) / spin, "L2: 2 asin(mu N/(2 n k max D)) of turn",
+               time_of(EventKind::breakaway), controlled_limit(), event_limit());
 }
 
 Run offset_run() {
@@ -68,12 +60,9 @@ Run offset_run() {
   const double end = 63.0 / 90;
   Run run{.name = "about a centre 3 mm off", .problem = [=] { return scene(r, end); }};
   run.claims = {torque_at(r, 27, false), first_slip(r), torque_at(r, 45, true), torque_at(r, 63, true)};
-  run.claims.push_back({.quantity = "samples that slip by 0.35 rad",
-                        .truth = double(slipping(r, spin * end)),
-                        .source = "L2: those with 2 D sin(th/2) > mu N/(n k)",
-                        .measure = {.kind = Measure::Kind::event_count, .event = EventKind::breakaway},
-                        .controlled = exact_limit(),
-                        .stepped = exact_limit()});
+  run.claims.push_back(claim(
+      "samples that slip by 0.35 rad", double(slipping(r, spin * end)), "L2: those with 2 D sin(th/2) > mu N/(n k)",
+      {.kind = Measure::Kind::event_count, .event = EventKind::breakaway}, exact_limit(), exact_limit()));
   return run;
 }
 

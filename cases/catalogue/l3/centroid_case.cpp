@@ -30,12 +30,11 @@ Run approach_run(Ground ground) {
   Run run{.name = "comes down", .problem = [=] { return scene(ground, height, frame, frames); }};
   const double end = frames * frame, touch = above / speed;
   run.claims = {
-      printed_claim("first force", "s", touch + closed_form::dead_time(radius, speed), "the skin's touch + r_c/V",
-                    {.kind = Measure::Kind::event_time, .event = EventKind::touch},
-                    {.value = frame, .reason = "seen at the next frame"}),
-      printed_claim("force 90 ms after touch", "N", 0, "the centroid is outside, and a gate holds the pull back",
+      printed_claim("first force", touch + closed_form::dead_time(radius, speed), "the skin's touch + r_c/V",
+                    time_of(EventKind::touch), {.value = frame, .reason = "seen at the next frame"}),
+      printed_claim("force 90 ms after touch", 0, "the centroid is outside, and a gate holds the pull back",
                     force_at(100 * frame, up), {.value = 0, .reason = "nothing acts"}),
-      printed_claim("force in the end", "N", 8 * PrintedFace{}.gamma * height(end), "n gamma d", force_at(end, up),
+      printed_claim("force in the end", 8 * PrintedFace{}.gamma * height(end), "n gamma d", force_at(end, up),
                     rounding_limit(top_of(ground) + radius, -height(end), 2, "the sum of eight has as many"))};
   return run;
 }
@@ -51,7 +50,7 @@ Run ungated_run(Ground ground, printed::Sign sign) {
             return p;
           }};
   const double pull = closed_form::largest_pull(PrintedFace{}.gamma, 8, radius);
-  run.claims = {printed_claim("force when the skin touches", "N", printed_sign ? -pull : pull,
+  run.claims = {printed_claim("force when the skin touches", printed_sign ? -pull : pull,
                               "n gamma r_c: adhesion, or a jump that repels", force_at(0, up),
                               rounding_limit(top_of(ground) + radius, radius, 4, "the sum of eight"))};
   return run;

@@ -48,7 +48,7 @@ Case printed_cycle_case() {
   const double error = face.gamma * shear * shear * (3 * tiny_offset / shallow + 2 * gap);
   Run run{.name = "cycle", .problem = scene};
   run.claims = {
-      printed_claim("energy gained", "J", gain, "gamma (1 - mu_d) (s^2 - (mu_s d1)^2)/2",
+      printed_claim("energy gained", gain, "gamma (1 - mu_d) (s^2 - (mu_s d1)^2)/2",
                     {.kind = Measure::Kind::work, .at = 7, .from = 0},
                     {.value = error / gain,
                      .relative = true,

@@ -43,12 +43,11 @@ Run slides(Ground ground) {
   const Limit of_lag = rounding_limit(reach, steady_lag(), kept, "1/(1 - sqrt(q)) frames add up");
   const Limit of_speed = rounding_limit(reach, steady_lag(), w / (1 - q) * kept * behind,
                                         "w of the lag goes into the speed, for 1/(1 - sqrt(q)) frames");
-  run.claims = {printed_claim("speed of the block", "m/s", speed, "V - mu_t (N + m g) eps/(n mu_d gamma dt (d + eps))",
+  run.claims = {printed_claim("speed of the block", speed, "V - mu_t (N + m g) eps/(n mu_d gamma dt (d + eps))",
                               speed_at(end, along), of_speed),
-                printed_claim("lag of the samples", "m", steady_lag(), "n mu_d gamma s = mu_t (N + m g)",
+                printed_claim("lag of the samples", steady_lag(), "n mu_d gamma s = mu_t (N + m g)",
                               {.kind = Measure::Kind::lag, .axis = along, .at = end}, of_lag),
-                printed_count("slides on", 1, "mu_t (N + m g) > mu_d mu_s N",
-                              {.kind = Measure::Kind::no_event, .event = EventKind::restick})};
+                printed_count("slides on", 1, "mu_t (N + m g) > mu_d mu_s N", none_of(EventKind::restick))};
   return run;
 }
 

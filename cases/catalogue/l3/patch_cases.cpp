@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include "cases/catalogue/builders/printed_problems.hpp"
 #include "cases/catalogue/l3/families.hpp"
 
@@ -36,14 +34,14 @@ Run collapse_run(Ground ground) {
   };
   Limit torque{.value = rounding_limit(a, 1, 8 * face.gamma * a, "").value,
                .reason = "eight forces of gamma a, each through the axis but for four roundings of a"};
-  run.claims = {printed_claim("torque about the normal, slipping", "N m", 0, "all forces go through the centroid",
+  run.claims = {printed_claim("torque about the normal, slipping", 0, "all forces go through the centroid",
                               torque_at(at(1)), torque),
-                printed_claim("torque about the normal, sticking", "N m", 0, "all forces go through the centroid",
+                printed_claim("torque about the normal, sticking", 0, "all forces go through the centroid",
                               torque_at(at(frames)), torque),
-                printed_claim("radius after one frame", "m", a * contraction(face), "r -> q r a frame while r > mu_s d",
+                printed_claim("radius after one frame", a * contraction(face), "r -> q r a frame while r > mu_s d",
                               radius(1), ray_limit(ground, face, a, a)),
-                printed_claim("radius in the end", "m", collapse.radius, "a q^n, the first not above mu_s d",
-                              radius(frames), ray_limit(ground, face, collapse.radius, collapse.radius)),
+                printed_claim("radius in the end", collapse.radius, "a q^n, the first not above mu_s d", radius(frames),
+                              ray_limit(ground, face, collapse.radius, collapse.radius)),
                 printed_count("samples that slip in the last frame above", 8, "r > mu_s d",
                               count_at(at(collapse.frames - 1), Mode::slip)),
                 printed_count("samples that slip in the frame after", 0, "r <= mu_s d",
@@ -55,7 +53,7 @@ Run own_points_run(Ground ground) {
   const PrintedFace face{.friction = {1, 1}};  // at mu_s = 0.5 this twist would slip: its lag is 2 mm
   const double a = 0.005;
   Run run{.name = "points of their own", .problem = [=] { return ring_on_a_face(ground, face, a, twisted, 1); }};
-  run.claims = {printed_claim("torque of a twist of 0.4 rad", "N m", closed_form::stick_torque(face.gamma, 8, a, twist),
+  run.claims = {printed_claim("torque of a twist of 0.4 rad", closed_form::stick_torque(face.gamma, 8, a, twist),
                               "8 gamma a^2 sin(phi)", torque_at(face.frame),
                               rounding_limit(a, a, 4, "arm, force and the sum of eight"))};
   return run;
@@ -73,7 +71,7 @@ Run spin_run(Ground ground) {
   Limit limit = ray_limit(ground, face, a, spin_lag(face, a, spin));
   limit.value += 4 * std::pow(contraction(face), frames);  // what is left of the start
   run.claims = {
-      printed_claim("steady torque", "N m", spin_torque(face, 8, a, spin),
+      printed_claim("steady torque", spin_torque(face, 8, a, spin),
                     "8 mu_d gamma a^2 (1 - q) sin(w dt)/|e^{i w dt} - q|^2", torque_at(end), limit),
       printed_count("slipping samples", 8, "a |e^{i w dt} - 1|/|e^{i w dt} - q| > mu_s d", count_at(end, Mode::slip))};
   return run;

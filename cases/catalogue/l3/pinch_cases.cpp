@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include "cases/catalogue/builders/printed_problems.hpp"
 #include "cases/catalogue/l3/families.hpp"
 
@@ -42,9 +40,9 @@ Run terminal_run(Ground ground, FrameOrder order) {
   PinchFrame early;
   for (int k = 0; k < 10; ++k) early = next_pinch(p, early);
   const double end = frames * p.face.frame, way = terminal_speed(p) * end;
-  run.claims = {printed_claim("speed at frame 10", "m/s", early.speed, "the frame map: force, velocity, ray, position",
+  run.claims = {printed_claim("speed at frame 10", early.speed, "the frame map: force, velocity, ray, position",
                               speed_at(10 * p.face.frame, down), pinch_limit(ground, p, early.fall + 0.004, early.lag)),
-                printed_claim("terminal speed", "m/s", terminal_speed(p),
+                printed_claim("terminal speed", terminal_speed(p),
                               "m g eps/(n mu_d gamma dt (d + eps)), over q if the anchor goes first",
                               speed_at(end, down), pinch_limit(ground, p, way, sliding_lag(p))),
                 printed_count("slipping samples", 16, "m g > n gamma mu_s d", count_at(end, Mode::slip))};
@@ -60,11 +58,10 @@ Run rest_run(Ground ground) {
   Run run{.name = "from rest", .problem = [=] { return in_a_pinch(ground, p, {.lag = carrying_lag(p)}, long_frames); }};
   const double end = long_frames * p.face.frame;
   const Limit rest = rounding_limit(places_on(ground, 0.005), 1, std::sqrt(double(long_frames)), "");
-  run.claims = {
-      printed_claim(
-          "fall in 10 s", "m", 0, "m g = n gamma lag, and nothing moves", displacement_at(end, down),
-          {.value = rest.value, .reason = "four roundings of places a frame, gathered by an undamped spring: sqrt(n)"}),
-      printed_count("sticking samples", 16, "m g <= n gamma mu_s d", count_at(end, Mode::stick))};
+  run.claims = {printed_claim("fall in 10 s", 0, "m g = n gamma lag, and nothing moves", displacement_at(end, down),
+                              {.value = rest.value,
+                               .reason = "four roundings of places a frame, gathered by an undamped spring: sqrt(n)"}),
+                printed_count("sticking samples", 16, "m g <= n gamma mu_s d", count_at(end, Mode::stick))};
   return run;
 }
 
@@ -77,9 +74,9 @@ Run sliding_run(Ground ground, double mass, const std::string& name) {
             return problem;
           }};
   run.claims = {printed_count("slides on for 10 s", lasts, "for ever iff m g > mu_d mu_s n gamma d",
-                              {.kind = Measure::Kind::no_event, .event = EventKind::restick})};
+                              none_of(EventKind::restick))};
   if (lasts)
-    run.claims.push_back(printed_claim("speed", "m/s", terminal_speed(p), "as L3-05",
+    run.claims.push_back(printed_claim("speed", terminal_speed(p), "as L3-05",
                                        speed_at(long_frames * p.face.frame, down),
                                        pinch_limit(ground, p, terminal_speed(p) * 10, sliding_lag(p))));
   return run;
@@ -108,16 +105,15 @@ Run opening_run(Ground ground) {
   const double stiffness = p.samples * p.face.gamma * p.face.friction.mu_dynamic;
   const double late = p.mass / (stiffness * dt), last_speed = p.mass * p.gravity / (stiffness * dt);
   run.claims = {
-      printed_claim("slip onset", "s", opening_onset(p, opening_rate), "m g = n gamma mu_s d(t), as Coulomb's",
-                    {.kind = Measure::Kind::event_time, .event = EventKind::breakaway},
-                    {.value = dt, .reason = "the next frame sees it"}),
-      printed_claim("fall until the fingers are open, by the map", "m", map.fall,
-                    "the frame map of L3-05, d frame by frame", displacement_at(end, down),
+      printed_claim("slip onset", opening_onset(p, opening_rate), "m g = n gamma mu_s d(t), as Coulomb's",
+                    time_of(EventKind::breakaway), {.value = dt, .reason = "the next frame sees it"}),
+      printed_claim("fall until the fingers are open, by the map", map.fall, "the frame map of L3-05, d frame by frame",
+                    displacement_at(end, down),
                     rounding_limit(creep, sliding_lag(p), 1 / std::sqrt(double(opening_frames)),
                                    "deviations of n frames' ways, at random")),
       printed_claim(
-          "fall until the fingers are open, by the formula", "m", creep,
-          "m g eps/(n mu_d gamma dt r) ln((d_s + eps)/eps)", displacement_at(end, down),
+          "fall until the fingers are open, by the formula", creep, "m g eps/(n mu_d gamma dt r) ln((d_s + eps)/eps)",
+          displacement_at(end, down),
           {.value = late * last_speed / creep,
            .relative = true,
            .reason = "quasi-steady: the speed is late by m/(n mu_d gamma dt) at most, times the last speed"})};

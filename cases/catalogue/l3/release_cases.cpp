@@ -23,8 +23,7 @@ double static_lag(const PrintedPinch& p) { return p.face.friction.mu_static * p.
 Run threshold_run(Ground ground, const std::string& name, const PrintedPinch& p, int frames, bool slips,
                   const std::string& source) {
   Run run{.name = name, .problem = [=] { return in_a_pinch(ground, p, {}, frames); }};
-  run.claims = {
-      printed_count("holds", !slips, source, {.kind = Measure::Kind::no_event, .event = EventKind::breakaway})};
+  run.claims = {printed_count("holds", !slips, source, none_of(EventKind::breakaway))};
   return run;
 }
 
@@ -46,7 +45,7 @@ Run overshoot_run(Ground ground, const PrintedPinch& p, const std::string& name)
     return Measure{.kind = Measure::Kind::held, .axis = down, .level = level};
   };
   run.claims = {
-      printed_claim("lag at frame 37", "m", lag,
+      printed_claim("lag at frame 37", lag,
                     "(m g/K) [1 - cos((n + 1/2) theta)/cos(theta/2)], cos theta = 1 - K dt^2/(2 m)",
                     displacement_at(n * p.face.frame, down),
                     rounding_limit(most, lag, n, "an undamped spring keeps every frame's")),

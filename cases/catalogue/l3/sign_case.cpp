@@ -43,7 +43,7 @@ Run attracted(Ground ground) {
   Run run{.name = "as printed", .problem = [=] { return scene(ground, printed::Sign::as_printed); }};
   for (const int n : {10, 25, 40}) {
     const double deeper = attracted_depth(springs, first_depth, n) - first_depth;
-    run.claims.push_back(printed_claim("gain of depth at frame " + std::to_string(n), "m", deeper,
+    run.claims.push_back(printed_claim("gain of depth at frame " + std::to_string(n), deeper,
                                        "d0 cosh((n + 1/2) theta) / cosh(theta/2) - d0, cosh theta = 1 + K dt^2/(2 m)",
                                        displacement_at(n * springs.frame, up), limit(ground, n, deeper)));
   }
@@ -57,15 +57,15 @@ Run repelled(Ground ground) {
   const double off = repelled_depth(springs, first_depth, last);
   const double step = off - repelled_depth(springs, first_depth, last - 1);
   const auto gain = [&](int n, double depth) {
-    return printed_claim("gain of depth at frame " + std::to_string(n), "m", depth - first_depth,
+    return printed_claim("gain of depth at frame " + std::to_string(n), depth - first_depth,
                          "d0 cos((n + 1/2) theta) / cos(theta/2) - d0 until it is off, then straight on",
                          displacement_at(n * springs.frame, up), limit(ground, n, depth - first_depth));
   };
-  run.claims = {gain(10, repelled_depth(springs, first_depth, 10)), gain(20, repelled_depth(springs, first_depth, 20)),
-                gain(frames, off + (frames - last) * step),
-                printed_claim("it is let go", "s", std::numbers::pi / 2 / spring_rate(springs), "d0 cos(lambda t) = 0",
-                              {.kind = Measure::Kind::event_time, .event = EventKind::release},
-                              {.value = springs.frame, .reason = "seen at the next frame"})};
+  run.claims = {
+      gain(10, repelled_depth(springs, first_depth, 10)), gain(20, repelled_depth(springs, first_depth, 20)),
+      gain(frames, off + (frames - last) * step),
+      printed_claim("it is let go", std::numbers::pi / 2 / spring_rate(springs), "d0 cos(lambda t) = 0",
+                    time_of(EventKind::release), {.value = springs.frame, .reason = "seen at the next frame"})};
   return run;
 }
 

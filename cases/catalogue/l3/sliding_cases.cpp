@@ -54,11 +54,11 @@ Run slide_run(Ground ground, const PrintedFace& face, double v, FrameOrder order
   const double begin = v * slide_frames * face.frame;
   const double after = order == FrameOrder::force_first ? 1 : contraction(face);
   run.claims = {
-      printed_claim(fmt::format("force at frame {}", early), "N", slide(face, v, order, early).force,
+      printed_claim(fmt::format("force at frame {}", early), slide(face, v, order, early).force,
                     "s' = s + v dt; beyond mu_s d the ray leaves q of it and the force is mu_d gamma s",
                     force_at(early * face.frame, along),
                     ray_limit(ground, face, begin, after * slide(face, v, FrameOrder::force_first, early - 1).lag)),
-      printed_claim("steady force", "N", steady_slide_force(face, v, order),
+      printed_claim("steady force", steady_slide_force(face, v, order),
                     "mu_d gamma v dt (d + eps)/eps before the ray, times q after it",
                     force_at(slide_frames * face.frame, along),
                     ray_limit(ground, face, end_reach(face, v, slide_frames), after * steady_lag(face, v))),
@@ -77,7 +77,7 @@ Run coarse_run(Ground ground, FrameOrder order) {
             return p;
           }};
   const PrintedSlide end = slide(face, v, order, frames);
-  run.claims = {printed_claim("force at frame 100", "N", end.force, "the same map, q = 0.98: still on its way",
+  run.claims = {printed_claim("force at frame 100", end.force, "the same map, q = 0.98: still on its way",
                               force_at(frames * face.frame, along),
                               ray_limit(ground, face, v * frames * face.frame, end.lag / contraction(face)))};
   return run;
@@ -122,14 +122,14 @@ Run chatter_run(Ground ground, double kinetic) {
       .kind = Measure::Kind::force_sum, .axis = along, .at = p.last * face.frame, .from = p.first * face.frame};
   Measure slips{.kind = Measure::Kind::mode_count, .at = sum.at, .from = sum.from, .mode = Mode::slip};
   run.claims = {
-      printed_claim("force summed over five periods, by the limit", "N",
+      printed_claim("force summed over five periods, by the limit",
                     frames * chatter_friction(face) * face.gamma * face.depth,
                     "mean F/N -> mu_s (1 + q)/2, whatever mu_d is", sum,
                     {.value = chatter_error(face, v),
                      .relative = true,
                      .reason = "the limit v -> 0 is off by what chatter_error (printed_law.hpp) derives"}),
-      printed_claim("force summed over five periods, by the map", "N", p.force, "s' = s + v dt, beyond mu_s d q of it",
-                    sum, added),
+      printed_claim("force summed over five periods, by the map", p.force, "s' = s + v dt, beyond mu_s d q of it", sum,
+                    added),
       printed_count("slipping frames", Periods::count, "one a period; a share of v/v_c of all frames", slips)};
   return run;
 }
@@ -150,7 +150,7 @@ Run impulse_run(Ground ground, double v) {
                 ground, face, [=](double t) { return v * t - middle; }, frames);
           }};
   run.claims = {printed_claim(
-      "force summed over the slipping frames", "N", slip_impulse(face, v, frames, 0, last),
+      "force summed over the slipping frames", slip_impulse(face, v, frames, 0, last),
       "mu_d gamma (n v dt + s_0 - s_n) (d + eps)/eps",
       {.kind = Measure::Kind::force_sum, .axis = along, .at = frames * face.frame, .from = 0, .mode = Mode::slip},
       limit)};
@@ -169,11 +169,11 @@ Run light_run(FrameOrder order) {
             return p;
           }};
   const Measure force = force_at(frames * face.frame, along);
-  run.claims = {printed_claim("force", "N", steady_slide_force(face, v, order), "as L3-02", force,
+  run.claims = {printed_claim("force", steady_slide_force(face, v, order), "as L3-02", force,
                               ray_limit(Ground::planes, face, end_reach(face, v, frames), steady_lag(face, v)))};
   if (order == FrameOrder::anchor_first) return run;
   run.claims.push_back(printed_claim(
-      "force without any squeeze", "N", face.friction.mu_dynamic * face.gamma * v * face.frame,
+      "force without any squeeze", face.friction.mu_dynamic * face.gamma * v * face.frame,
       "d -> 0: mu_d gamma v dt, while the normal force is 1e-7 N", force,
       {.value = 1.01 * face.depth / face.offset, .relative = true, .reason = "(d + eps)/eps instead of 1, and 1 %"}));
   return run;

@@ -31,7 +31,7 @@ Run growth_run(const std::string& name, const HostOptions& host, double truth, c
   const PrintedPinch pinch;
   Run run{.name = name, .problem = [=] { return kicked(0.2, 0.1, damping, host, 13); }};
   run.claims = {printed_claim(
-      "growth per frame", "", truth, source,
+      "growth per frame", truth, source,
       {.kind = Measure::Kind::growth, .axis = across, .at = 13 * pinch.face.frame, .from = pinch.face.frame},
       rounding_limit(1, 1, 4, "places of a millimetre are exact to 1e-16 of themselves"))};
   return run;

@@ -37,10 +37,10 @@ std::vector<Claim> press_claims(double slope, double places) {
   const Limit limit = rounding_limit(places, face.depth, 4, "the projections have as many");
   std::vector<Claim> claims{
       printed_count("sticks", truth.sticks, "tan(phi) <= mu_s", count_at(face.frame, Mode::stick)),
-      printed_claim("force straight in", "N", truth.normal, "gamma d (cos^2 + mu_d sin^2), or gamma d",
+      printed_claim("force straight in", truth.normal, "gamma d (cos^2 + mu_d sin^2), or gamma d",
                     force_at(face.frame, -normal_of(slope)), limit)};
   if (!truth.sticks)
-    claims.push_back(printed_claim("force across", "N", truth.tangent, "gamma d (1 - mu_d) sin cos",
+    claims.push_back(printed_claim("force across", truth.tangent, "gamma d (1 - mu_d) sin cos",
                                    force_at(face.frame, {std::cos(slope), 0, -std::sin(slope)}), limit));
   return claims;
 }
@@ -88,7 +88,7 @@ Run smooth_run(printed::Normals normals, const std::string& name) {
                            face.depth);
           }};
   run.claims = {printed_count("sticks", 1, "the normal is the slope's", count_at(face.frame, Mode::stick)),
-                printed_claim("force straight in", "N", face.gamma * face.depth, "gamma d, all of it",
+                printed_claim("force straight in", face.gamma * face.depth, "gamma d, all of it",
                               force_at(face.frame, -normal_of(slope)),
                               rounding_limit(0.03, face.depth, 4, "the projections have as many"))};
   return run;
@@ -120,7 +120,7 @@ double angle_after(int rays) {
 
 Claim anchor_claim(int rays, const Limit& limit) {
   return printed_claim(
-      fmt::format("anchor beside the closest point after {} ray{}", rays, rays == 1 ? "" : "s"), "m",
+      fmt::format("anchor beside the closest point after {} ray{}", rays, rays == 1 ? "" : "s"),
       ball_radius * std::sin(angle_after(rays)), "R sin(beta'), the first root of |o + t (p - o)| = R from C + eps n",
       {.kind = Measure::Kind::lag, .axis = -Vector3d::UnitX(), .at = rays * PrintedFace{}.frame}, limit);
 }
