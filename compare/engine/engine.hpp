@@ -45,8 +45,8 @@ struct EngineInfo {
 /// Called now and then with the simulated time [s]; returning false stops the run, which keeps what it has.
 using Progress = std::function<bool(double t)>;
 
-/// Anything that turns a problem into a recording. An adapter is a few lines and one line in engines.cpp: see
-/// realtime_engine.cpp. `play` may be called from several threads at once.
+/// Anything that turns a problem into a recording. An adapter is a few lines (realtime_engine.cpp) and one
+/// line in registry.cmake. `play` may be called from several threads at once.
 class Engine {
  public:
   virtual ~Engine() = default;

@@ -11,6 +11,12 @@
 #include "compare/engine/process_engine.hpp"
 
 namespace handhold::compare {
+
+// CMake writes registry.inc from registry.cmake, in which an engine is a line.
+#define HANDHOLD_ENGINE(name, make) std::unique_ptr<Engine> make();
+#include "compare/registry.inc"
+#undef HANDHOLD_ENGINE
+
 namespace {
 
 struct Entry {
@@ -18,14 +24,10 @@ struct Entry {
   std::unique_ptr<Engine> (*make)();
 };
 
-/// An engine joins with one line here and a file of its own.
 constexpr std::array registry{
-#ifdef HANDHOLD_REFERENCE
-    Entry{"reference", make_reference_engine},         Entry{"rigid", make_rigid_engine},
-#endif
-    Entry{"realtime", make_realtime_engine},           Entry{"kinematic-grasp", make_kinematic_grasp_engine},
-    Entry{"pinch-state", make_pinch_state_engine},     Entry{"paper", make_paper_engine},
-    Entry{"paper-coulomb", make_paper_coulomb_engine},
+#define HANDHOLD_ENGINE(name, make) Entry{name, make},
+#include "compare/registry.inc"
+#undef HANDHOLD_ENGINE
 };
 
 }  // namespace

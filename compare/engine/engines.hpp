@@ -13,16 +13,7 @@ namespace handhold::compare {
 /// without it.
 [[nodiscard]] std::unique_ptr<Engine> make_engine(const std::string& name);
 
-/// All of them, in the order of the registry (engines.cpp); then those from npm that are installed.
+/// All of them, in the order of registry.cmake; then those from npm that are installed.
 [[nodiscard]] std::vector<std::string> engine_names();
-
-// One function an engine, each in a file of its own.
-[[nodiscard]] std::unique_ptr<Engine> make_reference_engine();        // reference_engine.cpp
-[[nodiscard]] std::unique_ptr<Engine> make_rigid_engine();            // rigid_engine.cpp
-[[nodiscard]] std::unique_ptr<Engine> make_realtime_engine();         // realtime_engine.cpp
-[[nodiscard]] std::unique_ptr<Engine> make_kinematic_grasp_engine();  // baseline_engines.cpp
-[[nodiscard]] std::unique_ptr<Engine> make_pinch_state_engine();      // baseline_engines.cpp
-[[nodiscard]] std::unique_ptr<Engine> make_paper_engine();            // paper_engine.cpp
-[[nodiscard]] std::unique_ptr<Engine> make_paper_coulomb_engine();    // paper_coulomb_engine.cpp
 
 }  // namespace handhold::compare

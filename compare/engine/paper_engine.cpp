@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <memory>
 
-#include "compare/engine/engines.hpp"
+#include "compare/engine/engine.hpp"
 #include "compare/engine/paper_player.hpp"
 
 namespace handhold::compare {

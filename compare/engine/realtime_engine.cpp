@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "compare/engine/engines.hpp"
+#include "compare/engine/engine.hpp"
 #include "compare/engine/stepped.hpp"
 #include "realtime/world.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include "compare/engine/engines.hpp"
+#include "compare/engine/engine.hpp"
 #include "reference/reference.hpp"
 
 namespace handhold::compare {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "compare/engine/engines.hpp"
+#include "compare/engine/engine.hpp"
 #include "reference/rigid/rigid.hpp"
 
 namespace handhold::compare {
