@@ -5,6 +5,7 @@ cmake_minimum_required(VERSION 3.25)
 
 cmake_path(ABSOLUTE_PATH ROOT NORMALIZE)
 include("${CMAKE_CURRENT_LIST_DIR}/../cmake/PrivateHeaders.cmake")
+include("${CMAKE_CURRENT_LIST_DIR}/../compare/engine/registry.cmake")
 
 # What a file may include of our own, as a regular expression of the included path; the first rule that fits the file counts.
 # The engines see the model alone, the judge sees no engine, and the engines not each other.
@@ -77,13 +78,31 @@ function(check_package_include file number line included)
   endwhile()
 endfunction()
 
+# What is true names no engine: no word of the code in cases is an engine's name. Two are words of their own, a
+# level and the publication (or a material): of those only the string "rigid" is an engine.
+set(words ${engines} simbody)
+list(REMOVE_ITEM words rigid paper)
+list(JOIN words "|" words)
+string(REPLACE "-" "[-_]" words "${words}")
+
+function(check_names file number line)
+  string(REGEX REPLACE "//.*" "" code "${line}")
+  string(TOLOWER " ${code} " code)
+  if(code MATCHES "[^a-z_](${words})[^a-z_]|\"rigid\"")
+    complain("${file}" ${number} "${line}" "a case names no engine")
+  endif()
+endfunction()
+
 function(check_file file)
   file(READ "${ROOT}/${file}" text)
-  string(REGEX REPLACE "[][;\\\\]" "_" text "${text}")  # characters that would upset CMake's lists
+  string(REGEX REPLACE "[][;\\\\]" " " text "${text}")  # characters that would upset CMake's lists
   string(REPLACE "\n" ";" lines "${text}")
   set(number 0)
   foreach(line IN LISTS lines)
     math(EXPR number "${number} + 1")
+    if(file MATCHES "^cases/")
+      check_names("${file}" ${number} "${line}")
+    endif()
     if(line MATCHES "^[ \t]*#[ \t]*include[ \t]*<([^>]+)>")
       check_package_include("${file}" ${number} "${line}" "${CMAKE_MATCH_1}")
     elseif(line MATCHES "^[ \t]*#[ \t]*include[ \t]*\"([a-z]+/[^\"]+)\"")
