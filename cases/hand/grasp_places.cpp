@@ -8,6 +8,7 @@ namespace handhold {
 namespace {
 
 constexpr double least_opposition = 0.8;  // 37 degrees: two cones of friction 0.33 still meet
+constexpr double opening = 0.12;          // [m]: wider than any cup that a hand goes round
 constexpr double thinnest = 1e-4;         // [m]; nearer hits are the triangle itself or its neighbour round an edge
 
 // The R2 sequence (Roberts 2018): fractional parts of n / g and n / g², g the plastic number; even, and no random
@@ -52,7 +53,9 @@ std::vector<GraspPlace> find_grasp_places(const VoxelField& field, double thicke
     if (!exit) continue;
     const double thickness = exit->t + thinnest, opposition = -n.dot(exit->n_O);
     if (opposition < least_opposition) continue;
-    places.push_back({p - thickness / 2 * n, n, thickness, opposition});
+    const bool enclosed = field.raycast(p + thinnest * n, n, opening) ||
+                          field.raycast(exit->p_O + thinnest * exit->n_O, exit->n_O, opening);
+    places.push_back({p - thickness / 2 * n, n, thickness, opposition, enclosed});
   }
   return places;
 }

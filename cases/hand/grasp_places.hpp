@@ -15,6 +15,8 @@ struct GraspPlace {
   Eigen::Vector3d n_O{Eigen::Vector3d::UnitZ()};  ///< unit, outward at the first place; the second faces away from it
   double thickness{};                             ///< from the first to the second, through the solid [m]
   double opposition{};                            ///< -n1·n2: 1 where the places face exactly away from each other
+  bool enclosed{};  ///< out from one of them the object comes again within 12 cm: a finger there is inside a cup or a
+                    ///< bow
 };
 
 /// Places of `field` up to `thickest` [m] thick whose opposition is at least 0.8: from `count` points spread evenly

@@ -23,6 +23,8 @@ struct PlacementOptions {
   double hold{0.02};         ///< the support stays for this long after closure [s]
   double least_grip{0.2};    ///< shorter closings are no grasp [s]
   double lead{0.05};         ///< the scene starts this long before the first phalanx comes near [s]
+  double mu_static{
+      0.46};  ///< of the object against skin, for the grip's margin (Zhang & Mak 1999: the mean of materials)
 };
 
 /// Throws InputError unless 0 < depth <= most_depth, and all are finite and >= 0.
@@ -41,10 +43,14 @@ struct Placement {
   double start{};       ///< all phalanges are clear of the object, or least deep in it: t = 0 of the scene [s]
   double closure{};     ///< thumb and finger have closed on the object [s]
   double held_until{};  ///< the support lets go [s]: Body::held_until is this minus `start`
+  double until{};       ///< the recorded grasp ends: the gap opens again, or the hand is lost [s]
   int finger{};         ///< that opposes the thumb, 1 to 4
   double thickness{};   ///< of the object between them [m]
   double opposition{};  ///< -n·n of the object's normals below thumb and finger: 1 is exactly opposite
   double excess{};      ///< deepest the grip would go beyond most_depth if the object did not yield, a side, mean [m]
+  double margin{};      ///< of the grip at rest: friction allowed over friction needed (grip_strength.hpp)
+  double load{1};       ///< largest |a - g| of the palm during the grasp, in units of g
+  double cost{};        ///< by which placements are ranked: all that is unwanted, as metres of depth
   std::vector<Touch> touches{};  ///< at closure, by phalanx
   std::string note{};            ///< what is less than wished for; empty if nothing
 
@@ -52,14 +58,24 @@ struct Placement {
   [[nodiscard]] std::string report() const;
 };
 
-/// Places `field` in hand number `hand` of `trace`.
+struct Placements {
+  std::vector<Placement> ranked{};  ///< the best first, at least one, no two alike
+  long poses{};                     ///< of the object that were looked at
+};
+
+/// The `count` best ways to put `field` into hand number `hand` of `trace`, as geometry and statics see it.
 ///
 /// A closing is a stretch in which the gap between the tips of thumb and finger, once wide enough for the object, stays
-/// smaller than the object less twice `depth`. Candidates are opposite places of the surface (grasp_places.hpp), laid
-/// between the two tips at closure, in 48 orientations each, then moved along the line between them until both tips are
-/// as deep. The best has the least unwanted depth, thin rather than thick, near the centre of volume, upright (z of O
-/// up) on ties. Deterministic. Throws InputError if the hand never closes on any place of the object (place it by hand
-/// then), or is present for more than an hour.
+/// smaller than the object less twice `depth` (or half, a quarter ... of it, on what is thin). Candidates are opposite
+/// places of the surface (grasp_places.hpp), laid between the two tips at closure, in 48 orientations each, then moved
+/// along the line between them until both tips are as deep. Ranked by unwanted depth, then and on the way in, thin
+/// rather than thick, near the centre of volume, no finger inside a cup, the margin of the grip under gravity and the
+/// hand's acceleration, upright (z of O up) on ties. Deterministic. Throws InputError if the hand never closes on any
+/// place of the object (it says how far it closes), or is present for more than an hour.
+[[nodiscard]] Placements placements_in_hand(const Trace& trace, std::size_t hand, const VoxelField& field,
+                                            std::size_t count, const PlacementOptions& options = {});
+
+/// The first of them.
 [[nodiscard]] Placement place_in_hand(const Trace& trace, std::size_t hand, const VoxelField& field,
                                       const PlacementOptions& options = {});
 
