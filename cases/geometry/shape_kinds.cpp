@@ -104,6 +104,19 @@ std::vector<Entry> entries() {
        [](const Values& v) { return make_hammer(tool_size(v)); }},
       {{"axe", "round handle along z, head with a sharp edge on +x", tool_parameters(axe)},
        [](const Values& v) { return make_axe(tool_size(v)); }},
+      {{"card", "bank card", {{"x", 0.0856, "[m]"}, {"y", 0.054, "[m]"}, {"z", 0.0008, "thickness [m]"}}},
+       [](const Values& v) {
+         return make_box({v("x"), v("y"), v("z")});
+       }},
+      {{"bowl",
+        "open at +z",
+        {{"radius", 0.06, "of the rim, outer [m]"},
+         {"height", 0.045, "[m]"},
+         {"wall", 0.004, "[m]"},
+         {"segments", 64, "around"}}},
+       [](const Values& v) { return make_bowl(v("radius"), v("height"), v("wall"), v.count("segments")); }},
+      {{"bottle", "full, along z", {{"radius", 0.033, "[m]"}, {"height", 0.2, "[m]"}, {"segments", 64, "around"}}},
+       [](const Values& v) { return make_bottle(v("radius"), v("height"), v.count("segments")); }},
       {{"pawn", "chess pawn", {{"height", 0.055, "[m]"}, {"segments", 64, "around"}}},
        [](const Values& v) { return make_pawn(v("height"), v.count("segments")); }},
   };

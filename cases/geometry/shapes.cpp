@@ -201,4 +201,39 @@ Mesh make_pawn(double height, int segments) {
   return centred(loft(rings, Vector3d::Zero(), {0, 0, height}));
 }
 
+Mesh make_bowl(double radius, double height, double wall, int segments) {
+  require_length("radius", radius);
+  require_length("height", height);
+  require_length("wall", wall);
+  require_count("segments", segments, 3);
+  require(3 * wall < radius && 2 * wall < height, "the wall must be thinner than a third of the bowl");
+  constexpr int rings_a_side = 12;
+  std::vector<Ring> rings;
+  const auto side = [&](double r, double bottom, bool up) {  // a quarter of an ellipse, foot to rim or back
+    for (int i = 0; i <= rings_a_side; ++i) {
+      const double angle = pi / 2 * (0.15 + 0.85 * (up ? i : rings_a_side - i) / rings_a_side);
+      rings.push_back(circle(r * std::sin(angle), height - (height - bottom) * std::cos(angle), segments));
+    }
+  };
+  side(radius, 0, true);
+  side(radius - wall, wall, false);
+  const auto foot = [&](double bottom) { return height - (height - bottom) * std::cos(0.15 * pi / 2); };
+  return centred(loft(rings, {0, 0, foot(0)}, {0, 0, foot(wall)}));
+}
+
+Mesh make_bottle(double radius, double height, int segments) {
+  require_length("radius", radius);
+  require_length("height", height);
+  require_count("segments", segments, 3);
+  constexpr double body = 0.6, shoulder = 0.8, neck = 0.4;  // in parts of the height, and of the radius
+  constexpr int shoulder_rings = 8;
+  std::vector<Ring> rings = {circle(radius, 0, segments)};
+  for (int i = 0; i <= shoulder_rings; ++i) {
+    const double s = double(i) / shoulder_rings, narrowing = s * s * (3 - 2 * s);
+    rings.push_back(circle(radius * (1 - (1 - neck) * narrowing), height * (body + (shoulder - body) * s), segments));
+  }
+  rings.push_back(circle(neck * radius, height, segments));
+  return centred(loft(rings, Vector3d::Zero(), {0, 0, height}));
+}
+
 }  // namespace handhold

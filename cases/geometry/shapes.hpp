@@ -63,6 +63,12 @@ struct ToolSize {
 /// A chess pawn: a revolved profile with foot, waist, collar and ball.
 [[nodiscard]] Mesh make_pawn(double height = 0.055, int segments = 64);
 
+/// A bowl that widens to `radius` at its rim like a quarter of an ellipse, open at +z, `wall` thick.
+[[nodiscard]] Mesh make_bowl(double radius = 0.06, double height = 0.045, double wall = 0.004, int segments = 64);
+
+/// A bottle, filled to the brim: a cylinder, shoulders, and a neck of 0.4 radii; 0.6 of its height is the cylinder.
+[[nodiscard]] Mesh make_bottle(double radius = 0.033, double height = 0.2, int segments = 64);
+
 struct ShapeParameter {
   std::string name{};
   double value{};  ///< default

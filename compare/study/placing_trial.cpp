@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 
+#include "cases/hand/grip.hpp"
 #include "cases/hand/moved_trace.hpp"
 #include "cases/hand/trace_spline.hpp"
 #include "compare/study/parallel.hpp"
@@ -40,10 +41,6 @@ double unevenness_of(const Frame& frame) {
   return sum > 0 ? std::sqrt(std::max(0.0, n * squares - sum * sum)) / sum : 0;
 }
 
-Pose in_palm(const Scene& scene, const Frame& frame) {
-  return scene.hands.front().motion->pose(palm, frame.t).inverse() * frame.bodies.front().X_WO;
-}
-
 /// Of the object if it went with the palm: |m (a - g)| by differences over two frames [N].
 double load_at(const Scene& scene, double t) {
   constexpr double h = 0.02;  // [s]: over two frames of a tracker, so that its noise is not taken for motion
@@ -76,7 +73,7 @@ GraspTrial play(const PlacingRequest& request, const Placement& placement, const
   const double until = placement.until - placement.start;
   scene.duration = std::min(scene.duration, until);
   const Recording recording = engine.play(scene, request.engine);
-  GraspTrial trial = judge_grasp(scene, recording, until);
+  GraspTrial trial = judge_grasp(scene, recording, placement.finger, until);
   trial.steps = (long(recording.frames.size()) - 1) * request.engine.substeps;
   return trial;
 }
@@ -112,27 +109,31 @@ Remedy find_remedy(const PlacingRequest& request, const TriedPlacement& best, co
 
 }  // namespace
 
-GraspTrial judge_grasp(const Scene& scene, const Recording& recording, double until) {
+GraspTrial judge_grasp(const Scene& scene, const Recording& recording, int finger, double until) {
   const Body& body = scene.bodies.front();
   const Eigen::Vector3d up = -scene.gravity.normalized();
   GraspTrial trial{.asked = std::max(0.0, until - body.held_until),
                    .weight = body.inertia.mass * scene.gravity.norm(),
                    .strength = std::numeric_limits<double>::infinity()};
-  std::optional<Pose> let_go;  // in the palm, when the support ends
+  const HandMotion& motion = *scene.hands.front().motion;
+  std::optional<Eigen::Vector3d> taken_O;  // the point between thumb and finger when the support ends
+  Eigen::Quaterniond first_turn;           // of the object in the palm, then
   int frames = 0;
   bool lost = false;
   for (const Frame& frame : recording.frames) {
     if (frame.t < body.held_until || frame.t > until) continue;
     trial.load = std::max(trial.load, load_at(scene, frame.t));
     const bool touched = std::any_of(frame.contacts.begin(), frame.contacts.end(), presses);
-    const Pose X_palmO = in_palm(scene, frame);
-    if (!let_go) let_go = X_palmO;
-    const double drift = (X_palmO * body.inertia.center - *let_go * body.inertia.center).norm();
+    const Pose& X_WO = frame.bodies.front().X_WO;
+    const Eigen::Vector3d middle_W = grip_at(motion, finger, frame.t).middle_W;
+    const Eigen::Quaterniond R_palmO = (motion.pose(palm, frame.t).R.conjugate() * X_WO.R).normalized();
+    if (!taken_O) taken_O = X_WO.inverse() * middle_W, first_turn = R_palmO;
+    const double drift = (X_WO * *taken_O - middle_W).norm();
     lost = lost || !touched || !(drift <= most_drift);
     if (lost) continue;
     trial.carried = frame.t - body.held_until;
     trial.drift = std::max(trial.drift, drift);
-    trial.turned = std::max(trial.turned, X_palmO.R.angularDistance(let_go->R));
+    trial.turned = std::max(trial.turned, R_palmO.angularDistance(first_turn));
     trial.strength = std::min(trial.strength, strength_of(frame, up, body.friction.mu_static));
     trial.unevenness += (unevenness_of(frame) - trial.unevenness) / ++frames;
   }

@@ -16,7 +16,7 @@ struct GraspTrial {
   bool held{};          ///< in touch to the end of the grasp, and never farther than `most_drift` from where it was
   double carried{};     ///< by the hand alone [s]
   double asked{};       ///< from the support's end to the end of the grasp [s]
-  double drift{};       ///< farthest way of its centre of mass in the palm's frame, while carried [m]
+  double drift{};       ///< farthest that what was between thumb and finger went from there, while carried [m]
   double turned{};      ///< largest turn in the palm's frame, while carried [rad]
   double unevenness{};  ///< spread of the pressing samples' depth over its mean, mean over the frames carried
   double weight{};      ///< [N]
@@ -25,11 +25,12 @@ struct GraspTrial {
   long steps{};       ///< of the engine
 };
 
-/// Farther in the palm than this the object is lost, even if a finger still touches it [m]: a finger's breadth.
+/// Farther than this the object has left the grip, even if a finger still touches it [m]: a finger's breadth.
 inline constexpr double most_drift = 0.02;
 
-/// Judges a recording of a scene with one body and one hand, whose grasp ends at `until` [s of the scene].
-[[nodiscard]] GraspTrial judge_grasp(const Scene& scene, const Recording& recording, double until);
+/// Judges a recording of a scene with one body in one hand that grasps by thumb and `finger` until `until` [s of the
+/// scene].
+[[nodiscard]] GraspTrial judge_grasp(const Scene& scene, const Recording& recording, int finger, double until);
 
 /// An object that wants a place in a recorded hand.
 struct PlacingRequest {

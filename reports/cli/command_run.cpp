@@ -164,6 +164,20 @@ void execute(const RunCommand& command, Invocation& invocation) {
   invocation.exit_code = exit_gate_failed;
 }
 
+/// "auto" or a number; the default is auto for an object in a recorded hand, else the scene's own.
+void add_stiffness(CLI::App& command, SceneRequest& request) {
+  const auto take = [&request](const std::string& text) {
+    request.auto_stiffness = text == "auto";
+    if (!request.auto_stiffness) request.stiffness = std::stod(text);
+  };
+  command
+      .add_option_function<std::string>(
+          "--stiffness", take,
+          "of each contact sample [N/m]; auto, the default with --trace, suits the object's weight and the grip")
+      ->check(number_in(1e-3, 1e9) | CLI::IsMember({"auto"}))
+      ->type_name("auto|NUMBER");
+}
+
 void add_source(CLI::App& command, SceneRequest& request) {
   CLI::Option* scene = command.add_option("scene", request.scene_file, "scene file (TOML)");
   CLI::Option* of_case =
@@ -181,7 +195,8 @@ void add_source(CLI::App& command, SceneRequest& request) {
       ->capture_default_str();
   command
       .add_option("--place", request.place,
-                  "'auto' puts the object into the first grasp; or its pose at t = 0, x,y,z[,qw,qx,qy,qz] [m]")
+                  "'auto' puts the object into the grasp that holds it best, by trial; or its pose at t = 0, "
+                  "x,y,z[,qw,qx,qy,qz] [m]")
       ->needs(mesh)
       ->capture_default_str();
   command
@@ -202,7 +217,7 @@ void add_source(CLI::App& command, SceneRequest& request) {
       ->check(number_in(1e-3, 1e5))
       ->needs(mesh)
       ->excludes(mass);
-  command.add_option("--stiffness", request.stiffness, "of each contact sample [N/m]")->check(number_in(1e-3, 1e9));
+  add_stiffness(command, request);
   command.add_option("--damping", request.damping, "of each contact sample [N s/m]")->check(number_in(0, 1e6));
   command.add_option("--duration", request.duration, "seconds to simulate")->check(number_in(1e-3, 3600));
 }

@@ -22,6 +22,7 @@ void add_list(CLI::App& app, Invocation& invocation);
 void add_suite(CLI::App& app, Invocation& invocation);
 void add_report(CLI::App& app, Invocation& invocation);
 void add_run(CLI::App& app, Invocation& invocation);
+void add_grasps(CLI::App& app, Invocation& invocation);
 void add_voxelize(CLI::App& app, Invocation& invocation);
 void add_converge(CLI::App& app, Invocation& invocation);
 void add_engines(CLI::App& app, Invocation& invocation);

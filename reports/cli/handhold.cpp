@@ -57,6 +57,7 @@ int run(int count, char** arguments) {
   add_list(app, invocation);
   add_suite(app, invocation);
   add_run(app, invocation);
+  add_grasps(app, invocation);
   add_report(app, invocation);
   add_converge(app, invocation);
   add_voxelize(app, invocation);

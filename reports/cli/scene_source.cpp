@@ -8,16 +8,18 @@
 #include <fmt/format.h>
 
 #include "cases/catalogue/case.hpp"
-#include "cases/hand/moved_trace.hpp"
 #include "cases/hand/placement.hpp"
-#include "cases/hand/trace_spline.hpp"
 #include "cases/input/mesh/field_cache.hpp"
 #include "cases/input/scene/materials.hpp"
 #include "cases/input/scene/scene_file.hpp"
 #include "cases/input/trace/trace_reader.hpp"
 #include "cases/model/input_error.hpp"
+#include "compare/engine/auto_contact.hpp"
+#include "compare/engine/engines.hpp"
+#include "compare/study/placing_trial.hpp"
 #include "reports/cli/object_source.hpp"
 #include "reports/data/object_text.hpp"
+#include "reports/data/placing_text.hpp"
 #include "reports/data/text.hpp"
 
 namespace handhold::reports {
@@ -100,27 +102,37 @@ Body make_body(const SceneRequest& request, const ImportedObject& object) {
   return body;
 }
 
-/// The object where the request says, or in the hand's first grasp; returns the time of the trace that becomes t = 0.
-double place(const SceneRequest& request, const Trace& trace, Body& body, std::string& remarks) {
-  if (request.place != "auto") {
-    body.X_WO = parse_placement(request.place);
-    return trace.t.front();
-  }
-  const Placement placement = place_in_hand(trace, std::size_t(request.hand), *body.field);
-  body.X_WO = placement.X_WO;
-  body.held_until = std::max(0.0, placement.held_until - placement.start);
-  remarks += summary_line("placed", placement.report());
-  remarks += summary_line("", fmt::format("t = 0 is {} s of the trace; a support holds the object until {} s",
-                                          number(placement.start, 4), number(body.held_until, 4)));
-  return placement.start;
+compare::PlacingRequest placing_request(const SceneRequest& request, const Trace& trace, const Body& body) {
+  compare::PlacingRequest placing{.trace = &trace, .hand = std::size_t(request.hand), .body = body};
+  placing.tried = request.tries;
+  placing.contact_of = [&request, body](const Placement& placement) {
+    ContactParameters contact = compare::auto_contact(body, placement, PatchOptions{}.samples);
+    if (request.stiffness) contact = {*request.stiffness, ContactParameters{}.damping};
+    if (request.damping) contact.damping = *request.damping;
+    return contact;
+  };
+  return placing;
 }
 
-/// From t = 0 to the end of the hand's presence there: after that nothing is left to see.
-double duration_of(const HandMotion& motion) {
-  for (const Interval& present : motion.presence()) {
-    if (present.end > 0) return present.end;
-  }
-  return 1;
+/// The object where the request says: its pose at the trace's beginning.
+Scene placed_by_hand(const compare::PlacingRequest& placing, const SceneRequest& request) {
+  Placement placement;
+  placement.X_WO = parse_placement(request.place);
+  placement.start = placement.held_until = placing.trace->t.front();
+  return compare::scene_of(placing, placement, placing.contact_of(placement));
+}
+
+/// The object in the hand's grasp that holds it best.
+NamedScene placed_by_trial(const compare::PlacingRequest& request) {
+  const compare::Placing placing = compare::place_by_trial(request, *compare::make_engine("realtime"));
+  const compare::TriedPlacement& best = placing.tried.front();
+  NamedScene out{"", compare::scene_of(request, best.placement, best.contact), placing_text(placing, request.body)};
+  out.grasp_end = best.placement.until - best.placement.start;
+  out.remarks += summary_line(
+      "", fmt::format("t = 0 is {} s of the trace; a support holds the object until {} s; the grasp ends at {} s",
+                      number(best.placement.start, 4), number(out.scene.bodies.front().held_until, 4),
+                      number(*out.grasp_end, 4)));
+  return out;
 }
 
 NamedScene from_trace(const SceneRequest& request) {
@@ -130,17 +142,13 @@ NamedScene from_trace(const SceneRequest& request) {
                                  trace.hands.size(), request.hand));
   }
   const ImportedObject object = load_object(request.object, request.scale);
-  NamedScene out{short_name(request.object) + " in " + fs::path(request.trace_file).filename().string(), {}, ""};
-  out.remarks = mesh_remarks(object.mesh) + trace_remarks(trace);
-  Body body = make_body(request, object);
-  const double start = place(request, trace, body, out.remarks);
-  if (request.held_until) body.held_until = *request.held_until;
-  Hand hand;
-  hand.motion = std::make_shared<TraceSpline>(moved(trace, Pose{}, start), std::size_t(request.hand));
+  const compare::PlacingRequest placing = placing_request(request, trace, make_body(request, object));
+  NamedScene out =
+      request.place == "auto" ? placed_by_trial(placing) : NamedScene{"", placed_by_hand(placing, request), ""};
+  out.name = short_name(request.object) + " in " + fs::path(request.trace_file).filename().string();
+  out.remarks = mesh_remarks(object.mesh) + trace_remarks(trace) + out.remarks;
   out.scene.name = out.name;
-  out.scene.duration = duration_of(*hand.motion);
-  out.scene.bodies.push_back(std::move(body));
-  out.scene.hands.push_back(std::move(hand));
+  if (request.held_until) out.scene.bodies.front().held_until = *request.held_until;
   return out;
 }
 
@@ -168,6 +176,8 @@ std::string hand_text(const Hand& hand) {
 }  // namespace
 
 std::vector<NamedScene> load_scenes(const SceneRequest& request) {
+  if (request.auto_stiffness && request.trace_file.empty())
+    throw InputError("--stiffness auto: suits a grip in a recorded hand (give --trace and --mesh, or a number)");
   std::vector<NamedScene> out = scenes_of(request);
   for (NamedScene& named : out) {
     if (request.stiffness) named.scene.contact.stiffness = *request.stiffness;
@@ -177,6 +187,8 @@ std::vector<NamedScene> load_scenes(const SceneRequest& request) {
   }
   return out;
 }
+
+Body load_body(const SceneRequest& request) { return make_body(request, load_object(request.object, request.scale)); }
 
 std::string scene_text(const NamedScene& named) {
   std::string out = one_line(named.name) + "\n" + named.remarks;

@@ -23,17 +23,24 @@ struct SceneRequest {
   std::string material{"wood"};                              ///< of the object
   std::optional<double> mass{};                              ///< [kg]
   std::optional<double> density{};                           ///< [kg/m³]
-  std::optional<double> stiffness{}, damping{}, duration{};  ///< in place of the scene's own
+  std::optional<double> stiffness{}, damping{}, duration{};  ///< in place of the scene's own; of a trace's object,
+                                                             ///< stiffness and damping suit the grip (auto_contact)
+  bool auto_stiffness{false};  ///< asked for in words: an error where nothing is placed in a hand
+  std::size_t tries{16};       ///< placements that are played, with place "auto"
 };
 
 struct NamedScene {
   std::string name{};
   Scene scene{};
-  std::string remarks{};  ///< repairs and warnings of meshes and traces, and what was placed where; lines
+  std::string remarks{};              ///< repairs and warnings of meshes and traces, and what was placed where; lines
+  std::optional<double> grasp_end{};  ///< of a recorded grasp, of the object placed in it [s]
 };
 
 /// The scenes asked for: one, or one a run of a case. Throws InputError.
 [[nodiscard]] std::vector<NamedScene> load_scenes(const SceneRequest& request);
+
+/// The request's object with its mass and friction, nowhere yet. Throws InputError.
+[[nodiscard]] Body load_body(const SceneRequest& request);
 
 /// What the scene holds, for the terminal.
 [[nodiscard]] std::string scene_text(const NamedScene& named);
