@@ -37,17 +37,19 @@ double difference_until(const Recording& a, const Recording& b, double until) {
   return difference(head, b).max_translation;
 }
 
-void play(const GraspTableOptions& options, const Scene& scene, const Placement& placement, GraspRow& row) {
+void play(const GraspTableOptions& options, const Scene& scene, const TriedPlacement& best, GraspRow& row) {
   std::vector<Recording> recordings;
+  EngineOptions settings = options.engine;
+  settings.substeps = best.trial.substeps;
   for (const std::string& name : options.engines) {
     const std::unique_ptr<Engine> engine = options.make_engine(name);
-    recordings.push_back(engine->play(scene, options.engine));
+    recordings.push_back(engine->play(scene, settings));
     const Recording& recording = recordings.back();
     const GraspSummary summary = summarize(scene, recording);
-    row.engines.push_back({name, recording.outcome, judge_grasp(scene, recording, placement.finger, scene.duration),
-                           summary.dropped_at, summary.frame.p50});
-    if (recordings.size() == 1 && options.horizon)
-      row.horizon = options.horizon(scene, *engine, options.engine, recording);
+    row.engines.push_back({name, recording.outcome,
+                           judge_grasp(scene, recording, best.placement.finger, scene.duration), summary.dropped_at,
+                           summary.frame.p50});
+    if (recordings.size() == 1 && options.horizon) row.horizon = options.horizon(scene, *engine, settings, recording);
   }
   if (recordings.size() > 1)
     row.difference =
@@ -71,7 +73,7 @@ GraspRow play_grasp(const GraspPair& pair, const GraspTableOptions& options) {
     return row;
   }
   const TriedPlacement& best = row.placing->tried.front();
-  play(options, grasp_scene(request, best), best.placement, row);
+  play(options, grasp_scene(request, best), best, row);
   return row;
 }
 

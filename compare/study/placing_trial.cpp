@@ -10,6 +10,7 @@
 #include "cases/hand/moved_trace.hpp"
 #include "cases/hand/trace_spline.hpp"
 #include "compare/study/parallel.hpp"
+#include "compare/study/substeps.hpp"
 
 namespace handhold::compare {
 namespace {
@@ -72,9 +73,21 @@ GraspTrial play(const PlacingRequest& request, const Placement& placement, const
   Scene scene = scene_of(request, placement, contact);
   const double until = placement.until - placement.start;
   scene.duration = std::min(scene.duration, until);
-  const Recording recording = engine.play(scene, request.engine);
+  EngineOptions options = request.engine;
+  Recording recording = engine.play(scene, options);
+  double fastest = fastest_motion(scene, recording);
+  long steps = (long(recording.frames.size()) - 1) * options.substeps;
+  const int needed = needed_substeps(fastest, options.frame_rate);
+  if (request.choose_substeps && needed > options.substeps) {
+    options.substeps = needed;
+    recording = engine.play(scene, options);
+    fastest = fastest_motion(scene, recording);
+    steps += (long(recording.frames.size()) - 1) * options.substeps;
+  }
   GraspTrial trial = judge_grasp(scene, recording, placement.finger, until);
-  trial.steps = (long(recording.frames.size()) - 1) * request.engine.substeps;
+  trial.fastest = fastest;
+  trial.substeps = options.substeps;
+  trial.steps = steps;
   return trial;
 }
 
@@ -117,7 +130,7 @@ GraspTrial judge_grasp(const Scene& scene, const Recording& recording, int finge
                    .strength = std::numeric_limits<double>::infinity()};
   const HandMotion& motion = *scene.hands.front().motion;
   std::optional<Eigen::Vector3d> taken_O;  // the point between thumb and finger when the support ends
-  Eigen::Quaterniond first_turn;           // of the object in the palm, then
+  Eigen::Quaterniond first_turn = Eigen::Quaterniond::Identity();  // of the object in the palm, then
   int frames = 0;
   bool lost = false;
   for (const Frame& frame : recording.frames) {

@@ -13,7 +13,7 @@ namespace handhold::compare {
 
 /// What an object does in a recorded grasp, from the support's end to the end of the grasp.
 struct GraspTrial {
-  bool held{};          ///< in touch to the end of the grasp, and never farther than `most_drift` from where it was
+  bool held{};          ///< in touch to the end of the grasp, and its grip point stays within `most_drift`
   double carried{};     ///< by the hand alone [s]
   double asked{};       ///< from the support's end to the end of the grasp [s]
   double drift{};       ///< farthest that what was between thumb and finger went from there, while carried [m]
@@ -21,8 +21,10 @@ struct GraspTrial {
   double unevenness{};  ///< spread of the pressing samples' depth over its mean, mean over the frames carried
   double weight{};      ///< [N]
   double strength{};  ///< what the grip could carry against gravity at its pressure, least over the frames carried [N]
+  double fastest{};   ///< motion of the object on its grip (substeps.hpp) [rad/s]
+  int substeps{};     ///< a frame, with which it was played
   double load{};      ///< largest |m (a - g)| of the palm's motion while asked to carry [N]
-  long steps{};       ///< of the engine
+  long steps{};       ///< of the engine, in all
 };
 
 /// Farther than this the object has left the grip, even if a finger still touches it [m]: a finger's breadth.
@@ -40,7 +42,8 @@ struct PlacingRequest {
   ContactParameters contact{};  ///< unless `contact_of` says better
   std::function<ContactParameters(const Placement&)> contact_of{};  ///< what suits a grip; empty: `contact`
   EngineOptions engine{};
-  std::size_t tried{16};  ///< the best so many of the ranked placements are played, >= 1
+  bool choose_substeps{true};  ///< as many sub-steps as the grip needs (substeps.hpp), at least those of `engine`
+  std::size_t tried{16};       ///< the best so many of the ranked placements are played, >= 1
   PlacementOptions placement{};
 };
 

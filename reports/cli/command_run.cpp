@@ -18,6 +18,7 @@
 #include "compare/engine/engines.hpp"
 #include "compare/measure/grasp.hpp"
 #include "compare/study/horizon.hpp"
+#include "compare/study/substeps.hpp"
 #include "reports/cli/commands.hpp"
 #include "reports/cli/interrupt.hpp"
 #include "reports/cli/option_checks.hpp"
@@ -103,6 +104,20 @@ std::optional<double> say_horizon(const NamedScene& named, const compare::Engine
   return horizon.t;
 }
 
+/// A grip has been asked in the trial; a case is played as the suite plays it.
+bool chooses_substeps(const RunCommand& command, const NamedScene& named) {
+  return !command.request.substeps && !named.substeps && command.request.case_name.empty();
+}
+
+/// Plays the scene again where its fastest motion asks for more sub-steps.
+void refine(TimedRecording& timed, const NamedScene& named, compare::EngineOptions options) {
+  const int needed =
+      compare::needed_substeps(compare::fastest_motion(named.scene, timed.recording), options.frame_rate);
+  if (needed <= options.substeps) return;
+  options.substeps = needed;
+  timed = simulate("realtime", named, options);
+}
+
 /// Runs the engines on one scene, prints what they say, and writes their recordings. False if a run did not get to its
 /// end.
 bool run_scene(const NamedScene& named, const RunCommand& command, const std::filesystem::path& out) {
@@ -111,9 +126,12 @@ bool run_scene(const NamedScene& named, const RunCommand& command, const std::fi
   bool complete = true;
   std::optional<double> horizon;
   compare::EngineOptions options = command.engine;
+  if (command.request.substeps) options.substeps = *command.request.substeps;
   if (command.frames_of_trace) options.frame_times = trace_frames(named.scene);
+  if (!command.request.substeps) options.substeps = named.substeps.value_or(options.substeps);
   for (const std::string& engine : engines(command.engine_name)) {
     TimedRecording timed = simulate(engine, named, options);
+    if (engine == "realtime" && chooses_substeps(command, named)) refine(timed, named, options);
     fmt::print("{}", grasp_text(compare::summarize(named.scene, timed.recording), timed.recording, timed.seconds));
     if (!out.empty()) {
       write_recording(timed.recording, out / engine);
@@ -250,9 +268,11 @@ void add_run(CLI::App& app, Invocation& invocation) {
       ->add_flag("--no-horizon", options->no_horizon,
                  "spare the second run of the reference that tells until when its answer means something")
       ->disable_flag_override();
-  command->add_option("--substeps", options->engine.substeps, "sub-steps a frame of the real-time path")
-      ->check(number_in(1, 1000))
-      ->capture_default_str();
+  command
+      ->add_option("--substeps", options->request.substeps,
+                   "sub-steps a frame of the real-time path; default: as many as the object's fastest motion on its "
+                   "grip asks for, 4 to 64, and 4 for a case")
+      ->check(number_in(1, 1000));
   command->add_option("--order", options->engine.order, "of the real-time path: 1 implicit Euler, 2 implicit midpoint")
       ->check(CLI::IsMember({1, 2}))
       ->capture_default_str();

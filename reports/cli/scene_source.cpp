@@ -105,6 +105,8 @@ Body make_body(const SceneRequest& request, const ImportedObject& object) {
 compare::PlacingRequest placing_request(const SceneRequest& request, const Trace& trace, const Body& body) {
   compare::PlacingRequest placing{.trace = &trace, .hand = std::size_t(request.hand), .body = body};
   placing.tried = request.tries;
+  placing.choose_substeps = !request.substeps;
+  if (request.substeps) placing.engine.substeps = *request.substeps;
   placing.contact_of = [&request, body](const Placement& placement) {
     ContactParameters contact = compare::auto_contact(body, placement, PatchOptions{}.samples);
     if (request.stiffness) contact = {*request.stiffness, ContactParameters{}.damping};
@@ -127,6 +129,7 @@ NamedScene placed_by_trial(const compare::PlacingRequest& request) {
   const compare::Placing placing = compare::place_by_trial(request, *compare::make_engine("realtime"));
   const compare::TriedPlacement& best = placing.tried.front();
   NamedScene out{"", compare::scene_of(request, best.placement, best.contact), placing_text(placing, request.body)};
+  out.substeps = best.trial.substeps;
   out.grasp_end = best.placement.until - best.placement.start;
   out.remarks += summary_line(
       "", fmt::format("t = 0 is {} s of the trace; a support holds the object until {} s; the grasp ends at {} s",

@@ -25,14 +25,16 @@ struct SceneRequest {
   std::optional<double> density{};                           ///< [kg/m³]
   std::optional<double> stiffness{}, damping{}, duration{};  ///< in place of the scene's own; of a trace's object,
                                                              ///< stiffness and damping suit the grip (auto_contact)
-  bool auto_stiffness{false};  ///< asked for in words: an error where nothing is placed in a hand
-  std::size_t tries{16};       ///< placements that are played, with place "auto"
+  bool auto_stiffness{false};     ///< asked for in words: an error where nothing is placed in a hand
+  std::optional<int> substeps{};  ///< of the real-time path; none: as many as the grip needs
+  std::size_t tries{16};          ///< placements that are played, with place "auto"
 };
 
 struct NamedScene {
   std::string name{};
   Scene scene{};
   std::string remarks{};              ///< repairs and warnings of meshes and traces, and what was placed where; lines
+  std::optional<int> substeps{};      ///< that the grip needs (compare/study/substeps.hpp), of a placing by trial
   std::optional<double> grasp_end{};  ///< of a recorded grasp, of the object placed in it [s]
 };
 

@@ -86,6 +86,8 @@ std::string grasp_text(const compare::GraspSummary& s, const Recording& recordin
   out += summary_line("longest slip", readable(s.slip_distance, "m") + " of one anchor on the object");
   out += summary_line("deepest sample", readable(s.max_depth, "m"));
   out += summary_line("energy", readable(s.energy_unexplained, "J") + " unexplained at most");
+  const auto substeps = recording.provenance.find("sub-steps a frame");
+  if (substeps != recording.provenance.end()) out += summary_line("sub-steps", substeps->second + " a frame");
   if (s.frame.frames > 0) out += summary_line("frame", frames_text(s.frame));
   const auto surface = recording.provenance.find("surface");
   if (surface != recording.provenance.end()) out += summary_line("surface", surface->second);

@@ -57,6 +57,8 @@ std::string placing_text(const compare::Placing& placing, const Body& body) {
                                            "steps): {} hold",
                                            placing.poses, placing.tried.size(), placing.steps, held));
   out += summary_line("", "this one " + fate(best.trial));
+  out += summary_line("sub-steps", fmt::format("{} a frame: the object's fastest motion on its grip is {:.0f} rad/s",
+                                               best.trial.substeps, best.trial.fastest));
   if (!best.trial.held) out += summary_line("why", why_lost(placing, body));
   if (placing.tried.size() > 1) {
     const compare::TriedPlacement& second = placing.tried[1];
