@@ -32,7 +32,7 @@ double depth_of(int phalanx, const HandMotion& motion, double t, const Pose& X_O
 /// The search balances thumb and finger on the interpolated field; this does it to the last micrometre.
 void balance(Candidate& c, const HandMotion& motion, const VoxelField& field) {
   const Grip grip = grip_at(motion, c.closing.finger, c.closing.begin);
-  constexpr int most_steps = 8;  // oblique faces need them
+  constexpr int most_steps = 20;  // oblique faces need them
   for (int i = 0; i < most_steps; ++i) {
     const Pose X_OW = c.X_WO.inverse();
     const double thumb = depth_of(last_phalanx(0), motion, grip.t, X_OW, field);

@@ -67,11 +67,11 @@ struct Placements {
 ///
 /// A closing is a stretch in which the gap between the tips of thumb and finger, once wide enough for the object, stays
 /// smaller than the object less twice `depth` (or half, a quarter ... of it, on what is thin). Candidates are opposite
-/// places of the surface (grasp_places.hpp), laid between the two tips at closure, in 48 orientations each, then moved
-/// along the line between them until both tips are as deep. Ranked by unwanted depth, then and on the way in, thin
-/// rather than thick, near the centre of volume, no finger inside a cup, the margin of the grip under gravity and the
-/// hand's acceleration, upright (z of O up) on ties. Deterministic. Throws InputError if the hand never closes on any
-/// place of the object (it says how far it closes), or is present for more than an hour.
+/// places of the surface (grasp_places.hpp), laid between the two tips at closure or a little nearer to the palm, in 24
+/// orientations each, then moved along the line between them until both tips are as deep. Ranked by unwanted depth,
+/// then and on the way in, thin rather than thick, near the centre of volume, no finger inside a cup, the margin of the
+/// grip under gravity and the hand's acceleration, upright (z of O up) on ties. Deterministic. Throws InputError if the
+/// hand never closes on any place of the object (it says how far it closes), or is present for more than an hour.
 [[nodiscard]] Placements placements_in_hand(const Trace& trace, std::size_t hand, const VoxelField& field,
                                             std::size_t count, const PlacementOptions& options = {});
 

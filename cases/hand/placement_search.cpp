@@ -25,8 +25,9 @@ constexpr int surface_points = 1500;      // a few a square centimetre of a mug
 constexpr std::size_t most_places = 80;   // whose orientations are looked at
 constexpr double least_distance = 0.015;  // between places that are tried: nearer ones fare alike [m]
 constexpr double least_turn_apart = 0.6;  // between orientations of one place [rad]: so do these
-constexpr int rolls = 24;                 // about the line from thumb to finger
-constexpr int closings_each = 2;          // of a place: the longest
+constexpr int rolls = 12;                 // about the line from thumb to finger
+constexpr std::array offsets{0.0, 0.008, 0.016};  // of the place from there towards the palm [m]: how deep in the hand
+constexpr int closings_each = 2;                  // of a place: the longest
 
 // What is unwanted, as metres of unwanted depth.
 constexpr double excess_weight = 0.5;    // a thick object is taken deeply on both sides alike, which holds it
@@ -125,11 +126,12 @@ Eigen::Quaterniond least_turn(const Eigen::Vector3d& a, const Eigen::Vector3d& b
 }
 
 /// The object turned so that `n_O` points to the thumb, then by `roll` about that line, its place in the middle of the
-/// grip.
-Pose lay(const GraspPlace& place, const Eigen::Vector3d& n_O, const Grip& grip, double roll) {
+/// grip, or moved from there.
+Pose lay(const GraspPlace& place, const Eigen::Vector3d& n_O, const Grip& grip, double roll,
+         const Eigen::Vector3d& offset_W) {
   const Eigen::Quaterniond least = least_turn(n_O, -grip.axis_W);
   const Eigen::Quaterniond R = (Eigen::AngleAxisd(roll, grip.axis_W) * least).normalized();
-  return {R, grip.middle_W - R * place.center_O};
+  return {R, grip.middle_W + offset_W - R * place.center_O};
 }
 
 /// Everything of one closing that all orientations share.
@@ -152,6 +154,12 @@ class ClosingView {
   }
 
   [[nodiscard]] const Grip& grip() const { return grip_; }
+
+  /// From between the tips to the palm, across the line that joins them, unit.
+  [[nodiscard]] Eigen::Vector3d inward() const {
+    const Eigen::Vector3d way = at_closure_[palm].p - grip_.middle_W;
+    return (way - way.dot(grip_.axis_W) * grip_.axis_W).normalized();
+  }
 
   /// Largest specific load of a few times, in units of g.
   [[nodiscard]] double load() const {
@@ -271,12 +279,13 @@ std::vector<PlacementCandidate> choose_places(const Reach& reach, const std::vec
   return unlike(std::move(all), most_places);
 }
 
-/// The 48 orientations of one place.
-void turn(const PlacementCandidate& place, const ClosingView& view, std::vector<PlacementCandidate>& all) {
+/// Both sides to the thumb and every roll of one place, at one offset.
+void turn(const PlacementCandidate& place, double offset, const ClosingView& view,
+          std::vector<PlacementCandidate>& all) {
   for (int k = 0; k < 2 * rolls; ++k) {
     PlacementCandidate c = place;
     const Eigen::Vector3d n_O = k < rolls ? c.place.n_O : Eigen::Vector3d(-c.place.n_O);
-    c.X_WO = lay(c.place, n_O, view.grip(), 2 * pi * k / rolls);
+    c.X_WO = lay(c.place, n_O, view.grip(), 2 * pi * k / rolls, offset * view.inward());
     c.cost += tilt_weight * (1 - (c.X_WO.R * Eigen::Vector3d::UnitZ()).z()) + view.balance(c);
     c.cost += unwanted_weight * view.unwanted(c.X_WO) + approach_weight * view.unwanted_before(c.X_WO);
     c.margin = view.margin(c.X_WO);
@@ -286,6 +295,19 @@ void turn(const PlacementCandidate& place, const ClosingView& view, std::vector<
   }
 }
 
+/// The best of every offset, as many of each: what squeezes the object towards the palm looks bad to statics and can
+/// hold best.
+std::vector<PlacementCandidate> best_of(const std::array<std::vector<PlacementCandidate>, offsets.size()>& by_offset,
+                                        std::size_t count) {
+  std::vector<PlacementCandidate> best;
+  for (const std::vector<PlacementCandidate>& all : by_offset)
+    for (PlacementCandidate& c : unlike(all, (count + offsets.size() - 1) / offsets.size()))
+      best.push_back(std::move(c));
+  std::stable_sort(best.begin(), best.end(), [](const auto& a, const auto& b) { return a.cost < b.cost; });
+  if (best.size() > count) best.resize(count);
+  return best;
+}
+
 }  // namespace
 
 PlacementSearch search_placements(const HandMotion& motion, const VoxelField& field, const PlacementOptions& options,
@@ -293,13 +315,16 @@ PlacementSearch search_placements(const HandMotion& motion, const VoxelField& fi
   const Reach reach = look_at(motion);
   const Eigen::Vector3d center_O = solid_properties(field.mesh()).center;
   const std::vector<GraspPlace> places = find_grasp_places(field, reach.widest, surface_points);
-  std::vector<PlacementCandidate> all;
-  for (const PlacementCandidate& place : choose_places(reach, places, center_O, options))
-    turn(place, ClosingView(motion, place.closing, field, center_O, options), all);
-  PlacementSearch search{.poses = long(all.size()), .narrowest = reach.narrowest};
+  std::array<std::vector<PlacementCandidate>, offsets.size()> by_offset;
+  for (const PlacementCandidate& place : choose_places(reach, places, center_O, options)) {
+    const ClosingView view(motion, place.closing, field, center_O, options);
+    for (std::size_t i = 0; i < offsets.size(); ++i) turn(place, offsets[i], view, by_offset[i]);
+  }
+  PlacementSearch search{.narrowest = reach.narrowest};
+  for (const auto& all : by_offset) search.poses += long(all.size());
   for (const GraspPlace& place : places)
     if (search.thinnest == 0 || place.thickness < search.thinnest) search.thinnest = place.thickness;
-  search.best = unlike(std::move(all), count);
+  search.best = best_of(by_offset, count);
   return search;
 }
 

@@ -29,8 +29,9 @@ struct PlacementSearch {
   double thinnest{};                       ///< of the object's places; 0: it has none that fingers reach round [m]
 };
 
-/// Looks at opposite places of the surface (grasp_places.hpp) x closings x 48 orientations, and ranks them by what
-/// geometry and statics say. Deterministic. Throws InputError if the hand is present for more than an hour.
+/// Looks at opposite places of the surface (grasp_places.hpp) x closings x 24 orientations x 3 offsets towards the
+/// palm, and ranks them by what geometry and statics say. Deterministic. Throws InputError if the hand is present for
+/// more than an hour.
 [[nodiscard]] PlacementSearch search_placements(const HandMotion& motion, const VoxelField& field,
                                                 const PlacementOptions& options, std::size_t count);
 

@@ -47,7 +47,7 @@ struct GraspTableOptions {
   /// Until when an engine's answer means something [s]; empty: nobody asks.
   std::function<double(const Scene&, const Engine&, const EngineOptions&, const Recording&)> horizon{};
   EngineOptions engine{};
-  std::size_t tried{16};
+  std::size_t tried{24};
 };
 
 /// Places the object by trial with the real-time path and plays it with every engine to the end of the grasp.

@@ -29,7 +29,7 @@ double strength_of(const Frame& frame, const Eigen::Vector3d& up, double mu) {
     const double pressure = -c.f_W.dot(c.n_W), lift = -c.n_W.dot(up);
     if (pressure > 0) sum += pressure * (lift + mu * std::sqrt(std::max(0.0, 1 - lift * lift)));
   }
-  return sum;
+  return std::max(0.0, sum);
 }
 
 /// Standard deviation of the pressing samples' depth over its mean.

@@ -43,7 +43,7 @@ struct PlacingRequest {
   std::function<ContactParameters(const Placement&)> contact_of{};  ///< what suits a grip; empty: `contact`
   EngineOptions engine{};
   bool choose_substeps{true};  ///< as many sub-steps as the grip needs (substeps.hpp), at least those of `engine`
-  std::size_t tried{16};       ///< the best so many of the ranked placements are played, >= 1
+  std::size_t tried{24};       ///< the best so many of the ranked placements are played, >= 1
   PlacementOptions placement{};
 };
 

@@ -31,7 +31,7 @@ struct GraspsCommand {
   std::vector<std::string> shapes{"shape:box",    "shape:cylinder", "shape:sphere", "shape:mug",
                                   "shape:hammer", "shape:card",     "shape:bowl",   "shape:bottle"};
   std::string engine{"both"};
-  std::size_t tries{16};
+  std::size_t tries{24};
   bool json{false};
 };
 

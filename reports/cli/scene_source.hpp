@@ -27,7 +27,7 @@ struct SceneRequest {
                                                              ///< stiffness and damping suit the grip (auto_contact)
   bool auto_stiffness{false};     ///< asked for in words: an error where nothing is placed in a hand
   std::optional<int> substeps{};  ///< of the real-time path; none: as many as the grip needs
-  std::size_t tries{16};          ///< placements that are played, with place "auto"
+  std::size_t tries{24};          ///< placements that are played, with place "auto"
 };
 
 struct NamedScene {

@@ -61,16 +61,16 @@ nlohmann::json json_of(const GraspRow& row) {
 }  // namespace
 
 std::string grasp_table_head(const std::vector<std::string>& engines) {
-  std::string out = left("recording", 24) + left("object", 10) + left("taken at", 18);
+  std::string out = left("recording", 24) + left("object", 16) + left("taken at", 20);
   for (const std::string& engine : engines) out += left(engine + " [s]", 18);
   return out + left("apart", 10) + left("horizon", 9) + left("frame", 10) + "placing\n";
 }
 
 std::string grasp_row_text(const GraspRow& row) {
-  std::string out = left(row.recording, 24) + left(row.object, 10);
+  std::string out = left(row.recording, 24) + left(row.object, 16);
   if (!row.placing) return out + "not placed\n" + summary_line("why", row.refused);
   const compare::TriedPlacement& best = row.placing->tried.front();
-  out += left(fmt::format("{:.2f} s on {:.1f} mm", best.placement.closure, 1e3 * best.placement.thickness), 18);
+  out += left(fmt::format("{:.2f} s on {:.1f} mm", best.placement.closure, 1e3 * best.placement.thickness), 20);
   for (const EngineGrasp& grasp : row.engines) out += left(held_text(grasp), 18);
   out += left(length_text(row.difference), 10);
   out += left(row.horizon ? fmt::format("{:.2f} s", *row.horizon) : "-", 9);

@@ -28,6 +28,8 @@ std::string reason(const GraspTrial& trial, const Body& body) {
   if (trial.strength < trial.load)
     return fmt::format("weight {:.2f} N and up to {:.2f} N with the hand's acceleration, {}", trial.weight, trial.load,
                        carries);
+  if (trial.carried <= 0)
+    return fmt::format("weight {:.2f} N, {}, but it is out of the grip as the support ends", trial.weight, carries);
   return fmt::format("weight {:.2f} N, {}, but it moved {} and turned {:.0f} degrees in the hand before it was lost",
                      trial.weight, carries, readable(trial.drift, "m"), trial.turned * 180 / M_PI);
 }
