@@ -35,6 +35,7 @@ constexpr double lever_weight = 0.15;    // a place 1 cm off the centre of volum
 constexpr double enclosed_cost = 0.015;  // the wall of a cup, with a finger inside it
 constexpr double tilt_weight = 0.001;    // upside down is as bad as 2 mm
 constexpr double oblique_weight = 0.01;  // opposition 0.8 is as bad as 2 mm
+constexpr double astray_weight = 0.02;   // a finger round an edge, on a face at right angles, is as bad as 2 cm
 constexpr double weak_weight = 0.006;    // a grip without margin is as bad as 12 mm ...
 constexpr double enough_margin = 2;      // ... and one with this margin is not improved by more
 constexpr double unwanted_weight =
@@ -168,18 +169,19 @@ class ClosingView {
     return largest;
   }
 
-  /// Moves the object along the line from thumb to finger until both are as deep in it; returns how far that depth is
-  /// from the one aimed at, plus what is left of the difference.
-  double balance(PlacementCandidate& c) const {
+  /// Moves the object along the line from thumb to finger until both are as deep in it; returns what that leaves to
+  /// wish for: depth other than the one aimed at, and normals other than the place's, `n_O` at the thumb.
+  double balance(PlacementCandidate& c, const Eigen::Vector3d& n_O) const {
     constexpr int steps = 3;  // flat faces need one, curved ones converge quadratically
-    double thumb = 0, finger = 0;
+    PhalanxDepth thumb, finger;
     for (int i = 0; i <= steps; ++i) {
       const Pose X_OW = c.X_WO.inverse();
-      thumb = depth(last_phalanx(0), X_OW, at_closure_);
-      finger = depth(last_phalanx(c.closing.finger), X_OW, at_closure_);
-      if (i < steps) c.X_WO.p += (thumb - finger) / 2 * grip_.axis_W;
+      thumb = look(last_phalanx(0), X_OW, at_closure_);
+      finger = look(last_phalanx(c.closing.finger), X_OW, at_closure_);
+      if (i < steps) c.X_WO.p += (thumb.depth - finger.depth) / 2 * grip_.axis_W;
     }
-    return std::abs(thumb - c.depth) + std::abs(finger - c.depth);
+    return std::abs(thumb.depth - c.depth) + std::abs(finger.depth - c.depth) +
+           astray_weight * (1 - thumb.n_O.dot(n_O) + std::abs(c.place.opposition + thumb.n_O.dot(finger.n_O)));
   }
 
   /// Depth beyond what is wanted, summed over the phalanges, as the closing begins.
@@ -206,8 +208,8 @@ class ClosingView {
   static constexpr double weights_carried = 3;      // by the springs at the working depth, as GraspDemand::margin asks
   static constexpr double working_depth = 0.003;    // [m]
 
-  [[nodiscard]] double depth(int phalanx, const Pose& X_OW, const HandPoses& X_WP) const {
-    return phalanx_depth(model_.shape(phalanx), X_OW * X_WP[phalanx], field_).depth;
+  [[nodiscard]] PhalanxDepth look(int phalanx, const Pose& X_OW, const HandPoses& X_WP) const {
+    return phalanx_depth(model_.shape(phalanx), X_OW * X_WP[phalanx], field_);
   }
 
   [[nodiscard]] double unwanted(const Pose& X_WO, const HandPoses& X_WP) const {
@@ -215,7 +217,7 @@ class ClosingView {
     double sum = 0;
     for (int phalanx = 0; phalanx < phalanx_count; ++phalanx) {
       const double wanted = phalanx == palm ? options_.palm_depth : options_.most_depth;
-      sum += std::max(0.0, depth(phalanx, X_OW, X_WP) - wanted);
+      sum += std::max(0.0, look(phalanx, X_OW, X_WP).depth - wanted);
     }
     return sum;
   }
@@ -225,7 +227,7 @@ class ClosingView {
     const Pose X_OW = X_WO.inverse();
     std::vector<GripPad> pads;
     for (int phalanx = 0; phalanx < phalanx_count; ++phalanx) {
-      const PhalanxDepth at = phalanx_depth(model_.shape(phalanx), X_OW * X_WP[phalanx], field_);
+      const PhalanxDepth at = look(phalanx, X_OW, X_WP);
       if (at.depth > 0) pads.push_back({X_WO * at.skin_O, X_WO.R * at.n_O, at.depth, phalanx == palm ? 0.02 : 0.003});
     }
     if (pads.empty()) return 0;
@@ -286,7 +288,7 @@ void turn(const PlacementCandidate& place, double offset, const ClosingView& vie
     PlacementCandidate c = place;
     const Eigen::Vector3d n_O = k < rolls ? c.place.n_O : Eigen::Vector3d(-c.place.n_O);
     c.X_WO = lay(c.place, n_O, view.grip(), 2 * pi * k / rolls, offset * view.inward());
-    c.cost += tilt_weight * (1 - (c.X_WO.R * Eigen::Vector3d::UnitZ()).z()) + view.balance(c);
+    c.cost += tilt_weight * (1 - (c.X_WO.R * Eigen::Vector3d::UnitZ()).z()) + view.balance(c, n_O);
     c.cost += unwanted_weight * view.unwanted(c.X_WO) + approach_weight * view.unwanted_before(c.X_WO);
     c.margin = view.margin(c.X_WO);
     c.load = view.load();

@@ -47,7 +47,10 @@ std::string cure(const compare::Remedy& remedy) {
 std::string why_lost(const compare::Placing& placing, const Body& body) {
   const compare::TriedPlacement& best = placing.tried.front();
   if (best.trial.held) return "";
-  return reason(best.trial, body) + (placing.remedy ? "; " + cure(*placing.remedy) : "");
+  const double excess = best.placement.excess;
+  const std::string too_far =
+      excess > 0.005 ? fmt::format("; the hand closes {:.0f} mm a side too far for it", 1e3 * excess) : "";
+  return reason(best.trial, body) + too_far + (placing.remedy ? "; " + cure(*placing.remedy) : "");
 }
 
 std::string placing_text(const compare::Placing& placing, const Body& body) {

@@ -9,6 +9,7 @@
 #include "cases/geometry/voxelizer.hpp"
 #include "cases/hand/built_grasps.hpp"
 #include "cases/hand/trace_spline.hpp"
+#include "cases/model/mass_properties.hpp"
 #include "compare/engine/auto_contact.hpp"
 #include "compare/engine/engines.hpp"
 #include "compare/study/grasp_table.hpp"

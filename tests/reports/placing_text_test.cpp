@@ -6,6 +6,7 @@
 #include "cases/geometry/shapes.hpp"
 #include "cases/geometry/voxelizer.hpp"
 #include "cases/hand/built_grasps.hpp"
+#include "cases/model/mass_properties.hpp"
 #include "compare/engine/engines.hpp"
 
 namespace handhold::reports {
