@@ -25,4 +25,16 @@ Trace moved(Trace trace, const Pose& X_WT, double start) {
   return trace;
 }
 
+Trace scaled(Trace trace, double length, double time) {
+  for (double& t : trace.t) t *= time;
+  for (TraceHand& hand : trace.hands) {
+    for (Capsule& capsule : hand.model.capsules) capsule = {length * capsule.half_length, length * capsule.radius};
+    hand.model.palm_box.half_extents *= length;
+    for (HandSample& sample : hand.samples) {
+      for (Pose& X : sample.X_WP) X.p *= length;
+    }
+  }
+  return trace;
+}
+
 }  // namespace handhold

@@ -10,4 +10,7 @@ namespace handhold {
 /// `start` [s] of the trace as new zero. Names, confidence and warnings stay.
 [[nodiscard]] Trace moved(Trace trace, const Pose& X_WT, double start);
 
+/// The trace with all lengths, of poses and shapes, times `length`, and all times times `time`.
+[[nodiscard]] Trace scaled(Trace trace, double length, double time);
+
 }  // namespace handhold

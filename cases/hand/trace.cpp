@@ -12,7 +12,7 @@ namespace {
 
 constexpr double unit_tolerance = 1e-6;  // single precision in a file leaves 1e-7
 constexpr double latest = 1e11;          // [s]: clocks count 1.8e9 since 1970; more is a wrong unit
-constexpr double farthest = 1000;        // from the origin [m]: no tracker sees so far, but a wrong unit does
+constexpr double farthest = 1e6;         // from the origin [m]: beyond it nothing is left of a millimetre in a float
 
 std::string where(const Trace& trace) { return fmt::format("trace \"{}\"", trace.name); }
 

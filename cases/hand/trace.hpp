@@ -36,7 +36,7 @@ struct Trace {
 };
 
 /// Throws InputError unless time is finite, below 1e11 s and strictly increasing, every hand has one sample a stamp,
-/// and every tracked sample a confidence of 0 to 1 and poses that are finite, within 1 km of the origin, with unit
+/// and every tracked sample a confidence of 0 to 1 and poses that are finite, within 1000 km of the origin, with unit
 /// quaternions (within 1e-6).
 void validate(const Trace& trace);
 

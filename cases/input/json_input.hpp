@@ -3,35 +3,24 @@
 
 // Private to the readers: not for public headers, as it shows nlohmann::json.
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <Eigen/Core>
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
-
-#include "cases/model/input_error.hpp"
 
 namespace handhold {
 
-/// Parses an object; throws InputError with `path`, line and byte.
-inline nlohmann::json parse_json(std::string_view text, const std::string& path) {
-  try {
-    nlohmann::json value = nlohmann::json::parse(text);
-    if (value.is_object()) return value;
-  } catch (const nlohmann::json::parse_error& error) {
-    const std::size_t byte = std::min(error.byte, text.size());
-    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(byte), '\n');
-    throw InputError(
-        fmt::format("{}:{}, byte {}: this is not JSON (the file is damaged: fetch it again)", path, line, byte));
-  } catch (const nlohmann::json::out_of_range&) {
-    throw InputError(fmt::format("{}: a number in it is beyond 1e308 (correct it)", path));
-  }
-  throw InputError(fmt::format("{}: the JSON text is no object (is it a recording?)", path));
-}
+/// Parses one object or list, or several of them (one a line: a list of them is returned). NaN, inf and Infinity, which
+/// are not JSON but what Python and others write, are read as null. Throws InputError with `path`, line and byte for
+/// broken text and for more than 64 levels of nesting: nothing that visits or copies the value can use up the stack.
+[[nodiscard]] nlohmann::json parse_json(std::string_view text, const std::string& path);
+
+/// Throws InputError that names the first member of `object` that is not among `known`, with the nearest of them.
+void check_keys(const nlohmann::json& object, const std::vector<std::string>& known, const std::string& where);
 
 /// Member `name`, if it is a number.
 inline double number_or(const nlohmann::json& object, const char* name, double otherwise) {

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "cases/input/gzip.hpp"
+#include "cases/input/text_encoding.hpp"
 #include "cases/model/input_error.hpp"
 
 namespace handhold {
@@ -21,20 +23,24 @@ std::string read_text_file(const std::string& path) {
   if (std::filesystem::is_directory(path, ignored)) {
     throw InputError(fmt::format("{}: is a folder (name a file)", path));
   }
+  if (std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored)) {
+    throw InputError(fmt::format("{}: is a device or a pipe (write it to a file first)", path));
+  }
   std::ifstream file(path, std::ios::binary);
   if (!file) throw InputError(fmt::format("{}: cannot be read (check the path and the permissions)", path));
   std::string text;
   std::vector<char> block(std::size_t{1} << 20);
-  while (file.read(block.data(), static_cast<std::streamsize>(block.size())) || file.gcount() > 0) {  // also of a pipe
+  while (file.read(block.data(), static_cast<std::streamsize>(block.size())) || file.gcount() > 0) {
     text.append(block.data(), static_cast<std::size_t>(file.gcount()));
     if (text.size() > largest_file) throw InputError(fmt::format("{}: more than 512 MiB (cut the recording)", path));
   }
-  return text;
+  if (is_gzip(text)) text = gunzip(text, largest_file, path);
+  return plain_text(std::move(text));
 }
 
 std::string stem_of(const std::string& path) {
   const std::string file = std::filesystem::path(path).filename().string();
-  return file.substr(0, file.find('.'));
+  return clean_text(file.substr(0, file.find('.')));
 }
 
 }  // namespace handhold

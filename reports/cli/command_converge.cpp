@@ -23,6 +23,7 @@
 #include "reports/cli/option_checks.hpp"
 #include "reports/cli/progress.hpp"
 #include "reports/cli/scene_source.hpp"
+#include "reports/cli/terminal.hpp"
 #include "reports/data/convergence_text.hpp"
 
 namespace handhold::reports {
@@ -156,24 +157,24 @@ void converge(const ConvergeCommand& command, Invocation& invocation) {
   std::string costs;
   int broken = 0;
   const std::vector<Subject> all = subjects(command.scenes);
-  fmt::print(
+  say(fmt::format(
       "Error against the tightest run plus that run's own (~: estimated by the slope). (n)!: samples with other "
       "events.\n{}",
-      convergence_heading());
+      convergence_heading()));
   for (const Subject& subject : all) {
     if (interrupted()) break;
     const NamedConvergence named = study(subject, command);
     if (named.study.runs.empty()) break;
-    fmt::print("{}", convergence_rows(named));
+    say(convergence_rows(named));
     std::fflush(stdout);
     broken += !holds(named);
     if (subject.name == "twist16" || subject.costly) costs += cost_text(named, contacts_of(named));
   }
-  if (!costs.empty()) fmt::print("Cost\n{}", costs);
+  if (!costs.empty()) say(fmt::format("Cost\n{}", costs));
   if (command.engine == "reference")
-    fmt::print("{}\n", broken == 0 ? "Every promise of the presets is kept."
-                                   : fmt::format("The presets' promises are BROKEN on {} scenes.", broken));
-  if (interrupted()) fmt::print("Interrupted: later runs are missing.\n");
+    say(fmt::format("{}\n", broken == 0 ? "Every promise of the presets is kept."
+                                        : fmt::format("The presets' promises are BROKEN on {} scenes.", broken)));
+  if (interrupted()) say("Interrupted: later runs are missing.\n");
   if (broken > 0 || interrupted()) invocation.exit_code = exit_gate_failed;
 }
 
@@ -206,7 +207,7 @@ void extrapolate(const ConvergeCommand& command, Invocation& invocation) {
           return !interrupted();
         });
     if (interrupted()) break;
-    fmt::print("{}", stiffness_rows(scene, result));
+    say(stiffness_rows(scene, result));
     if (!reaches_truth(scene, result)) invocation.exit_code = exit_gate_failed;
   }
   if (interrupted()) invocation.exit_code = exit_gate_failed;

@@ -9,6 +9,7 @@
 #include "compare/engine/engines.hpp"
 #include "compare/engine/process_engine.hpp"
 #include "reports/cli/commands.hpp"
+#include "reports/cli/terminal.hpp"
 #include "reports/data/text.hpp"
 
 namespace handhold::reports {
@@ -20,17 +21,17 @@ struct EnginesOptions {
 };
 
 void print_engines() {
-  for (const std::string& name : compare::engine_names()) fmt::print("{}here\n", left(name, 18));
+  for (const std::string& name : compare::engine_names()) say(fmt::format("{}here\n", left(name, 18)));
   for (const std::string& name : compare::npm_engine_names())
     if (!compare::npm_engine_is_installed(name))
-      fmt::print("{}not installed (./dev engines; HANDHOLD_ENGINES names another folder)\n", left(name, 18));
+      say(fmt::format("{}not installed (./dev engines; HANDHOLD_ENGINES names another folder)\n", left(name, 18)));
 }
 
 void check(const EnginesOptions& options, Invocation& invocation) {
   const std::vector<std::string> missing =
       compare::what_is_missing({.command = options.command, .time_limit = options.time_limit});
-  for (const std::string& sentence : missing) fmt::print("{}\n", one_line(sentence));
-  if (missing.empty()) fmt::print("nothing is missing: it played a block that slides and one that is pressed\n");
+  for (const std::string& sentence : missing) say(fmt::format("{}\n", one_line(sentence)));
+  if (missing.empty()) say("nothing is missing: it played a block that slides and one that is pressed\n");
   if (!missing.empty()) invocation.exit_code = exit_gate_failed;
 }
 

@@ -20,6 +20,7 @@
 #include "compare/measure/measure.hpp"
 #include "reports/cli/commands.hpp"
 #include "reports/cli/option_checks.hpp"
+#include "reports/cli/terminal.hpp"
 
 namespace handhold::reports {
 namespace {
@@ -74,7 +75,7 @@ void export_case(const ExportOptions& options) {
     fs::create_directories(folder, failed);
     write(folder / "problem.json", compare::problem_json(problem));
     write(folder / "problem.xml", compare::mjcf(problem));
-    fmt::print("{}\n", (folder / "problem.json").string());
+    say(fmt::format("{}\n", (folder / "problem.json").string()));
   }
 }
 
@@ -100,15 +101,15 @@ void judge_folder(const std::string& folder) {
   const catalogue::Run run = find_run(asked.name);
   const compare::EngineInfo engine{.name = recording.engine, .levels = {Level::rigid}};
   const Problem problem = run.problem();
-  fmt::print("{}, played by {}\n", asked.name,
-             recording.engine.empty() ? "an engine without a name" : recording.engine);
+  say(fmt::format("{}, played by {}\n", asked.name,
+                  recording.engine.empty() ? "an engine without a name" : recording.engine));
   for (const catalogue::Claim& claim : run.claims) {
     const std::string why = compare::why_not_asked(claim, engine);
     const compare::Judgement j = compare::judge(claim, engine, compare::measure(problem, recording, claim.measure));
     const std::string verdict = why.empty() ? fmt::format("{:.6g} {}, truth {:.6g}: {}", j.value, claim.unit,
                                                           claim.truth, compare::to_string(*j.grade))
                                             : "not asked: " + why;
-    fmt::print("  {}: {}\n", claim.quantity, verdict);
+    say(fmt::format("  {}: {}\n", claim.quantity, verdict));
   }
 }
 

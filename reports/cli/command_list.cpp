@@ -9,6 +9,7 @@
 #include "cases/input/scene/materials.hpp"
 #include "compare/engine/engines.hpp"
 #include "reports/cli/commands.hpp"
+#include "reports/cli/terminal.hpp"
 #include "reports/data/text.hpp"
 
 namespace handhold::reports {
@@ -20,12 +21,12 @@ struct ListOptions {
 
 void print_cases() {
   for (const catalogue::Case& c : catalogue::all_cases()) {
-    fmt::print("{}  {}  ({})\n", c.id, c.title, to_string(c.level));
+    say(fmt::format("{}  {}  ({})\n", c.id, c.title, to_string(c.level)));
     for (const catalogue::Run& run : c.runs) {
       std::string quantities;
       if (!run.variant.empty()) continue;
       for (const catalogue::Claim& claim : run.claims) quantities += (quantities.empty() ? "" : ", ") + claim.quantity;
-      fmt::print("     {}: {}\n", run.name, quantities);
+      say(fmt::format("     {}: {}\n", run.name, quantities));
     }
   }
 }
@@ -36,7 +37,7 @@ void print_engines() {
     std::string levels;
     for (const Level level : info.levels) levels += (levels.empty() ? "" : ", ") + std::string(to_string(level));
     const bool gated = info.errs.kind != compare::ErrorModel::Kind::foreign;
-    fmt::print("{}{}{}\n", left(name, 18), left(levels, 8), gated ? "gated: its limits are derived" : "graded");
+    say(fmt::format("{}{}{}\n", left(name, 18), left(levels, 8), gated ? "gated: its limits are derived" : "graded"));
   }
 }
 
@@ -45,20 +46,20 @@ std::string_view to_string(Evidence evidence) {
 }
 
 void print_materials() {
-  fmt::print("{}{}{}{}  {}\n", left("material", 18), right("mu_static", 10), right("mu_dynamic", 12), right("kg/m³", 8),
-             "source of mu_static against skin");
+  say(fmt::format("{}{}{}{}  {}\n", left("material", 18), right("mu_static", 10), right("mu_dynamic", 12),
+                  right("kg/m³", 8), "source of mu_static against skin"));
   for (const Material& m : materials()) {
-    fmt::print("{}{}{}{}  {}: {}\n", left(m.name, 18), right(number(m.friction().mu_static, 3), 10),
-               right(number(m.friction().mu_dynamic, 3), 12), right(number(m.density, 4), 8), to_string(m.evidence),
-               m.source);
+    say(fmt::format("{}{}{}{}  {}: {}\n", left(m.name, 18), right(number(m.friction().mu_static, 3), 10),
+                    right(number(m.friction().mu_dynamic, 3), 12), right(number(m.density, 4), 8),
+                    to_string(m.evidence), m.source));
   }
 }
 
 void print_shapes() {
   for (const ShapeKind& kind : shape_kinds()) {
-    fmt::print("{}  {}\n", left(kind.name, 16), kind.meaning);
+    say(fmt::format("{}  {}\n", left(kind.name, 16), kind.meaning));
     for (const ShapeParameter& p : kind.parameters)
-      fmt::print("  {}{}  {}\n", left(p.name, 20), right(number(p.value, 4), 8), p.meaning);
+      say(fmt::format("  {}{}  {}\n", left(p.name, 20), right(number(p.value, 4), 8), p.meaning));
   }
 }
 

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "reports/cli/commands.hpp"
+#include "reports/cli/terminal.hpp"
 #include "reports/data/merge_results.hpp"
 #include "reports/data/write_report.hpp"
 
@@ -34,7 +35,7 @@ void execute(const ReportCommand& command) {
   std::vector<NamedReport> parts;
   for (const std::string& given : command.results) parts.push_back({name_of(given), read_report(given)});
   write_stored_report(merged(std::move(parts)), command.out);
-  fmt::print("report: {}\n", (fs::path(command.out) / "index.html").lexically_normal().string());
+  say(fmt::format("report: {}\n", (fs::path(command.out) / "index.html").lexically_normal().string()));
 }
 
 }  // namespace

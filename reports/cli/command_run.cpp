@@ -24,6 +24,7 @@
 #include "reports/cli/option_checks.hpp"
 #include "reports/cli/progress.hpp"
 #include "reports/cli/scene_source.hpp"
+#include "reports/cli/terminal.hpp"
 #include "reports/data/grasp_text.hpp"
 #include "reports/data/text.hpp"
 #include "reports/data/write_report.hpp"
@@ -86,11 +87,11 @@ void draw(const NamedScene& named, const Recording& recording, const RunCommand&
   const compare::DrawnMode mode =
       command.visual_hand == "whole" ? compare::DrawnMode::whole : compare::DrawnMode::finger;
   const compare::DrawnHands drawn = compare::draw_hands(named.scene, recording, mode);
-  fmt::print("{}", drawn_hands_text(drawn));
+  say(drawn_hands_text(drawn));
   if (out.empty()) return;
   const std::filesystem::path file = out / recording.engine / "drawn_hand.csv";
   write_trace_csv(drawn.trace, file.string());
-  fmt::print("{}", summary_line("trace", file.string()));
+  say(summary_line("trace", file.string()));
 }
 
 /// Prints until when the reference's answer means something; nothing if the second run was interrupted.
@@ -100,7 +101,7 @@ std::optional<double> say_horizon(const NamedScene& named, const compare::Engine
   const compare::Horizon horizon = compare::horizon(named.scene, *compare::make_engine("reference"), options, recording,
                                                     shown(progress, "horizon", named));
   if (interrupted()) return {};
-  fmt::print("{}", horizon_text(horizon));
+  say(horizon_text(horizon));
   return horizon.t;
 }
 
@@ -121,7 +122,7 @@ void refine(TimedRecording& timed, const NamedScene& named, compare::EngineOptio
 /// Runs the engines on one scene, prints what they say, and writes their recordings. False if a run did not get to its
 /// end.
 bool run_scene(const NamedScene& named, const RunCommand& command, const std::filesystem::path& out) {
-  fmt::print("{}", scene_text(named));
+  say(scene_text(named));
   std::vector<Recording> recordings;
   bool complete = true;
   std::optional<double> horizon;
@@ -132,10 +133,10 @@ bool run_scene(const NamedScene& named, const RunCommand& command, const std::fi
   for (const std::string& engine : engines(command.engine_name)) {
     TimedRecording timed = simulate(engine, named, options);
     if (engine == "realtime" && chooses_substeps(command, named)) refine(timed, named, options);
-    fmt::print("{}", grasp_text(compare::summarize(named.scene, timed.recording), timed.recording, timed.seconds));
+    say(grasp_text(compare::summarize(named.scene, timed.recording), timed.recording, timed.seconds));
     if (!out.empty()) {
       write_recording(timed.recording, out / engine);
-      fmt::print("  recording         {}\n", (out / engine).string());
+      say(fmt::format("  recording         {}\n", (out / engine).string()));
     }
     if (engine == "reference" && !command.no_horizon && !interrupted())
       horizon = say_horizon(named, options, timed.recording);
@@ -146,7 +147,7 @@ bool run_scene(const NamedScene& named, const RunCommand& command, const std::fi
   }
   if (recordings.size() == 2) {
     const double until = horizon.value_or(recordings[0].frames.back().t);
-    fmt::print("{}", difference_text(compare::difference(recordings[0], recordings[1], until), until));
+    say(difference_text(compare::difference(recordings[0], recordings[1], until), until));
   }
   return complete;
 }
@@ -172,13 +173,13 @@ void execute(const RunCommand& command, Invocation& invocation) {
   const std::vector<NamedScene> scenes = load_scenes(command.request);
   check_visual_hand(command, scenes);
   for (std::size_t i = 0; i < scenes.size() && !interrupted(); ++i) {
-    if (i > 0) fmt::print("\n");
+    if (i > 0) say("\n");
     std::filesystem::path out = command.out;
     if (!out.empty() && scenes.size() > 1) out /= folder_name(scenes[i].name);
     if (!run_scene(scenes[i], command, out)) invocation.exit_code = exit_gate_failed;
   }
   if (!interrupted()) return;
-  fmt::print("Interrupted: the last run is partial, and later ones are missing.\n");
+  say("Interrupted: the last run is partial, and later ones are missing.\n");
   invocation.exit_code = exit_gate_failed;
 }
 
@@ -207,6 +208,8 @@ void add_source(CLI::App& command, SceneRequest& request) {
   of_case->excludes(trace)->excludes(mesh);
   trace->needs(mesh);
   mesh->needs(trace);
+  add_trace_flags(command, request.reading);
+  for (const char* flag : {"--repair", "--trust"}) command.get_option(flag)->needs(trace);
   command.add_option("--scale", request.scale, "the mesh file's units to metres")
       ->check(number_in(1e-9, 1e9))
       ->needs(mesh)

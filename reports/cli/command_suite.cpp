@@ -16,6 +16,7 @@
 #include "reports/cli/option_checks.hpp"
 #include "reports/cli/progress.hpp"
 #include "reports/cli/provenance.hpp"
+#include "reports/cli/terminal.hpp"
 #include "reports/data/table.hpp"
 #include "reports/data/write_report.hpp"
 
@@ -72,8 +73,8 @@ void execute(SuiteCommand command, Invocation& invocation) {
   if (judged) write_report(result, command.out);  // before its table is printed: a closed pipe loses nothing
   fmt::print("{}", text_table(result, {may_colour(1)}));
   if (!judged) return;  // interrupted at once: an earlier report is worth more
-  fmt::print("{}: {}\n", result.interrupted ? "partial report" : "report",
-             (std::filesystem::path(command.out) / "index.html").lexically_normal().string());
+  say(fmt::format("{}: {}\n", result.interrupted ? "partial report" : "report",
+                  (std::filesystem::path(command.out) / "index.html").lexically_normal().string()));
 }
 
 }  // namespace

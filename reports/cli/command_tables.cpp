@@ -9,6 +9,7 @@
 #include "cases/catalogue/case.hpp"
 #include "cases/input/text_file.hpp"
 #include "reports/cli/commands.hpp"
+#include "reports/cli/terminal.hpp"
 #include "reports/data/case_tables.hpp"
 #include "reports/data/write_report.hpp"
 
@@ -24,7 +25,7 @@ void write_tables(const TablesCommand& command) {
   const std::vector<CaseRow> rows = case_rows(read_text_file(command.results), command.results);
   for (const std::string& document : command.documents) {
     write_file(document, with_tables(read_text_file(document), rows, document));
-    fmt::print("{}: written\n", document);
+    say(fmt::format("{}: written\n", document));
   }
 }
 
@@ -32,11 +33,11 @@ void check_tables(const TablesCommand& command, Invocation& invocation) {
   const std::vector<CaseRow> rows = case_rows(catalogue::all_cases());
   for (const std::string& document : command.documents) {
     const std::vector<std::string> stale = stale_rows(read_text_file(document), rows, document);
-    for (const std::string& sentence : stale) fmt::print("{}\n", sentence);
-    if (stale.empty()) fmt::print("{}: its tables say what the catalogue says\n", document);
+    for (const std::string& sentence : stale) say(fmt::format("{}\n", sentence));
+    if (stale.empty()) say(fmt::format("{}: its tables say what the catalogue says\n", document));
     if (!stale.empty()) invocation.exit_code = exit_gate_failed;
   }
-  if (invocation.exit_code != exit_good) fmt::print("write them anew: handhold tables DOCUMENT --from results.json\n");
+  if (invocation.exit_code != exit_good) say("write them anew: handhold tables DOCUMENT --from results.json\n");
 }
 
 }  // namespace

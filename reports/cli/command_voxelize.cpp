@@ -14,6 +14,7 @@
 #include "reports/cli/object_source.hpp"
 #include "reports/cli/option_checks.hpp"
 #include "reports/cli/progress.hpp"
+#include "reports/cli/terminal.hpp"
 #include "reports/data/object_text.hpp"
 
 namespace handhold::reports {
@@ -69,7 +70,7 @@ void add_voxelize(CLI::App& app, Invocation&) {
   command->footer(
       "Examples:\n  handhold voxelize mug.obj\n  handhold voxelize part.stl --scale 0.001 --voxel-size 0.5\n  handhold "
       "voxelize shape:mug,height=0.12 --out mug.hhvox");
-  command->callback([options] { fmt::print("{}", voxel_text(report(*options))); });
+  command->callback([options] { say(voxel_text(report(*options))); });
 }
 
 }  // namespace handhold::reports

@@ -7,6 +7,10 @@ namespace CLI {
 class App;
 }
 
+namespace handhold {
+struct TraceReadOptions;
+}
+
 /// The subcommands of the program `handhold`. Each function adds one to `app`; its work runs while `app` parses.
 namespace handhold::reports {
 
@@ -30,5 +34,8 @@ void add_export(CLI::App& app, Invocation& invocation);
 void add_judge(CLI::App& app, Invocation& invocation);
 void add_tables(CLI::App& app, Invocation& invocation);
 void add_trace(CLI::App& app, Invocation& invocation);
+
+/// --repair and --trust, for every command that reads a recorded hand.
+void add_trace_flags(CLI::App& command, TraceReadOptions& reading);
 
 }  // namespace handhold::reports

@@ -139,7 +139,7 @@ NamedScene placed_by_trial(const compare::PlacingRequest& request) {
 }
 
 NamedScene from_trace(const SceneRequest& request) {
-  const Trace trace = read_trace(request.trace_file);
+  const Trace trace = read_trace(request.trace_file, request.reading);
   if (std::size_t(request.hand) >= trace.hands.size()) {
     throw InputError(fmt::format("{}: has {} hands, no number {} (0 is the first)", request.trace_file,
                                  trace.hands.size(), request.hand));

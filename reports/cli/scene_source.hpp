@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cases/input/trace/trace_reader.hpp"
 #include "cases/model/scene.hpp"
 
 namespace handhold::reports {
@@ -14,7 +15,8 @@ struct SceneRequest {
   std::string scene_file{};
   std::string case_name{};  ///< "C01", or "C01/slides" for one of its runs
   std::string trace_file{}, object{};
-  double scale{1};  ///< of the object's file
+  TraceReadOptions reading{};  ///< of the trace
+  double scale{1};             ///< of the object's file
   std::string place{
       "auto"};  ///< "auto": into the hand's first grasp; or a pose at t = 0, "x,y,z" or "x,y,z,qw,qx,qy,qz" [m]
   std::optional<double>

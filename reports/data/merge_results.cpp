@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "cases/input/text_encoding.hpp"
 #include "cases/model/input_error.hpp"
 
 namespace handhold::reports {
@@ -161,7 +162,9 @@ Json times_of(const StoredReport& report) {
           {"plays", Json::array()}};
 }
 
-std::string text(const Json& json) { return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n"; }
+std::string text(const Json& json) {
+  return escape_hidden(json.dump(1, ' ', false, Json::error_handler_t::replace)) + "\n";
+}
 
 }  // namespace
 

@@ -10,6 +10,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cases/input/text_encoding.hpp"
+
 namespace handhold::reports {
 namespace {
 
@@ -224,7 +226,7 @@ Quantisation add_bodies(PackedColumns& into, const Scene& scene, const Recording
   return scale;
 }
 
-std::string text(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+std::string text(const Json& json) { return escape_hidden(json.dump(-1, ' ', false, Json::error_handler_t::replace)); }
 
 }  // namespace
 

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cases/input/text_encoding.hpp"
 #include "compare/judge/verdict.hpp"
 #include "reports/data/text.hpp"
 
@@ -143,7 +144,7 @@ std::string_view to_string(compare::ErrorModel::Kind kind) {
 
 Json text_json(const std::map<std::string, std::string>& texts) {
   Json out = Json::object();
-  for (const auto& [key, text] : texts) out[clean_utf8(key)] = text;
+  for (const auto& [key, text] : texts) out[clean_text(key)] = text;
   return out;
 }
 
@@ -189,7 +190,9 @@ Json frame_json(const compare::FrameTimes& frame) {
   return out;
 }
 
-std::string dump(const Json& json) { return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n"; }
+std::string dump(const Json& json) {
+  return escape_hidden(json.dump(1, ' ', false, Json::error_handler_t::replace)) + "\n";
+}
 
 }  // namespace
 

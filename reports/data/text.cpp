@@ -8,33 +8,12 @@
 
 #include <fmt/format.h>
 
+#include "cases/input/text_encoding.hpp"
+
 namespace handhold::reports {
 namespace {
 
-constexpr std::string_view replacement = "\xEF\xBF\xBD";  // U+FFFD
-
 bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
-
-/// Length of the sequence at the start of `text`; 0 when it is not valid UTF-8 (overlong, surrogate, cut short, too
-/// large).
-std::size_t sequence_length(std::string_view text) {
-  const auto lead = static_cast<unsigned char>(text[0]);
-  if (lead < 0x80) return 1;
-  const std::size_t length = lead >= 0xC2 && lead < 0xE0   ? 2
-                             : lead >= 0xE0 && lead < 0xF0 ? 3
-                             : lead >= 0xF0 && lead < 0xF5 ? 4
-                                                           : 0;
-  if (length == 0 || text.size() < length) return 0;
-  if (!std::all_of(text.begin() + 1, text.begin() + static_cast<long>(length), is_continuation)) return 0;
-  const auto second = static_cast<unsigned char>(text[1]);
-  const bool overlong = (lead == 0xE0 && second < 0xA0) || (lead == 0xF0 && second < 0x90);
-  const bool beyond = (lead == 0xED && second >= 0xA0) || (lead == 0xF4 && second >= 0x90);
-  return overlong || beyond ? 0 : length;
-}
-
-bool is_allowed_ascii(char c) {
-  return static_cast<unsigned char>(c) >= 0x20 ? c != 0x7F : c == '\t' || c == '\n' || c == '\r';
-}
 
 std::string superscript(std::string_view exponent) {
   static constexpr std::array<std::string_view, 10> digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
@@ -58,24 +37,9 @@ bool takes_prefix(std::string_view unit) {
 
 }  // namespace
 
-std::string clean_utf8(std::string_view text) {
-  std::string out;
-  out.reserve(text.size());
-  while (!text.empty()) {
-    const std::size_t length = sequence_length(text);
-    const bool good = length > 1 || (length == 1 && is_allowed_ascii(text[0]));
-    // U+FFFE and U+FFFF are valid UTF-8 but not XML.
-    const bool noncharacter =
-        length == 3 && text.substr(0, 2) == "\xEF\xBF" && (text[2] == '\xBE' || text[2] == '\xBF');
-    out += good && !noncharacter ? text.substr(0, length) : replacement;
-    text.remove_prefix(std::max<std::size_t>(length, 1));
-  }
-  return out;
-}
-
 std::string escape(std::string_view text) {
   std::string out;
-  for (const char c : clean_utf8(text)) {
+  for (const char c : clean_text(text)) {
     switch (c) {
       case '&':
         out += "&amp;";
@@ -120,7 +84,7 @@ std::string right(std::string_view utf8, std::size_t columns) {
 
 std::string one_line(std::string_view text) {
   std::string out;
-  for (const char c : clean_utf8(text)) {
+  for (const char c : clean_text(text)) {
     const bool blank = c == ' ' || c == '\n' || c == '\r' || c == '\t';
     if (!blank)
       out += c;

@@ -7,11 +7,7 @@
 
 namespace handhold::reports {
 
-/// `text` with every byte that is not valid UTF-8, and every control character that XML 1.0 forbids, replaced by
-/// U+FFFD.
-[[nodiscard]] std::string clean_utf8(std::string_view text);
-
-/// For XML and HTML, in text and in quoted attributes: cleaned, and & < > " ' as entities.
+/// For XML and HTML, in text and in quoted attributes: cleaned (clean_text), and & < > " ' as entities.
 [[nodiscard]] std::string escape(std::string_view text);
 
 /// Code points: the width in a terminal of the letters and signs that we use.
@@ -23,7 +19,7 @@ namespace handhold::reports {
 /// At least `columns` wide: padded on the left, never cut (a cut number is a wrong number).
 [[nodiscard]] std::string right(std::string_view utf8, std::size_t columns);
 
-/// Newlines and runs of blanks become one blank.
+/// Cleaned (clean_text); newlines and runs of blanks become one blank.
 [[nodiscard]] std::string one_line(std::string_view text);
 
 /// A line of a summary: two blanks, the name in a column, the value; a long value goes on below, broken at blanks.

@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/input/text_encoding.hpp"
 #include "cases/model/input_error.hpp"
 
 namespace handhold {
@@ -31,7 +32,7 @@ constexpr std::array<const char*, 13> body_columns{
 
 std::string escape(std::string_view text, bool is_key) {
   std::string result;
-  for (const char c : text) {
+  for (const char c : clean_text(text)) {
     if (c == '\\') {
       result += "\\\\";
     } else if (c == '\n') {
@@ -48,7 +49,8 @@ std::string escape(std::string_view text, bool is_key) {
 }
 
 /// A field of a line, in quotes if it must be (RFC 4180).
-std::string field(const std::string& text) {
+std::string field(const std::string& given) {
+  const std::string text = clean_text(given);
   if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
   std::string result = "\"";
   for (const char c : text) result += c == '"' ? "\"\"" : std::string(1, c == '\n' || c == '\r' ? ' ' : c);

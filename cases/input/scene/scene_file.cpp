@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "cases/input/scene/materials.hpp"
+#include "cases/input/scene/toml_bounds.hpp"
 #include "cases/input/scene/toml_section.hpp"
 #include "cases/model/input_error.hpp"
 
@@ -200,6 +201,7 @@ int Location::of(const std::string& key) const {
 }
 
 SceneSpec parse_scene(std::string_view text, const std::string& source) {
+  check_toml_bounds(text, source);
   toml::table table;
   try {
     table = toml::parse(text, source);

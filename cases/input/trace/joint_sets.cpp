@@ -2,6 +2,8 @@
 #include "cases/input/trace/joint_sets.hpp"
 
 #include <algorithm>
+#include <cctype>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -95,11 +97,77 @@ const Entries& leap_entries() {
   return entries;
 }
 
+// The order of MANO's kinematic tree, as manopth and others return it, tips last in the order of fingers.
+const Entries& mano_model_entries() {
+  static const Entries entries{{"wrist", wrist_joint}, {"index_mcp", 4},   {"index_pip", 5},   {"index_dip", 6},
+                               {"middle_mcp", 8},      {"middle_pip", 9},  {"middle_dip", 10}, {"little_mcp", 16},
+                               {"little_pip", 17},     {"little_dip", 18}, {"ring_mcp", 12},   {"ring_pip", 13},
+                               {"ring_dip", 14},       {"thumb_cmc", 0},   {"thumb_mcp", 1},   {"thumb_ip", 2},
+                               {"thumb_tip", 3},       {"index_tip", 7},   {"middle_tip", 11}, {"ring_tip", 15},
+                               {"little_tip", 19}};
+  return entries;
+}
+
+/// Words that do not tell one joint from another, and words that others use for ours.
+const std::map<std::string, std::string>& other_words() {
+  static const std::map<std::string, std::string> words{{"xr", ""},
+                                                        {"hand", ""},
+                                                        {"joint", ""},
+                                                        {"ext", ""},
+                                                        {"finger", ""},
+                                                        {"phalanx", ""},
+                                                        {"root", ""},
+                                                        {"pinky", "little"},
+                                                        {"pinkie", "little"},
+                                                        {"small", "little"},
+                                                        {"knuckle", "proximal"},
+                                                        {"medial", "intermediate"}};
+  return words;
+}
+
+std::string lower(std::string_view text) {
+  std::string out(text);
+  std::transform(out.begin(), out.end(), out.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  return out;
+}
+
 }  // namespace
 
+std::vector<std::string> words_of(std::string_view name) {
+  std::vector<std::string> words;
+  bool inside = false;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const auto c = static_cast<unsigned char>(name[i]);
+    const bool begins = std::isupper(c) != 0 && i > 0 && std::islower(static_cast<unsigned char>(name[i - 1])) != 0;
+    if (std::isalnum(c) == 0) {
+      inside = false;
+      continue;
+    }
+    if (!inside || begins) words.emplace_back();
+    inside = true;
+    words.back() += static_cast<char>(std::tolower(c));
+  }
+  return words;
+}
+
+std::string plain_joint_name(std::string_view name) {
+  std::string plain;
+  for (std::string word : words_of(name)) {
+    if (const auto other = other_words().find(word); other != other_words().end()) word = other->second;
+    if (word == "middle" && !plain.empty()) word = "intermediate";  // of a finger, not the finger
+    if (!word.empty()) plain += (plain.empty() ? "" : "_") + word;
+  }
+  return plain;
+}
+
 std::optional<std::size_t> JointSet::find(std::string_view joint_name) const {
-  const auto same = [joint_name](const Entry& e) { return e.name == joint_name; };
-  const auto found = std::find_if(entries.begin(), entries.end(), same);
+  const auto as_written = [joint_name](const Entry& e) { return e.name == joint_name; };
+  auto found = std::find_if(entries.begin(), entries.end(), as_written);
+  if (found == entries.end()) {
+    const std::string plain = plain_joint_name(joint_name);
+    found =
+        std::find_if(entries.begin(), entries.end(), [&](const Entry& e) { return plain_joint_name(e.name) == plain; });
+  }
   if (found == entries.end()) return std::nullopt;
   return static_cast<std::size_t>(found - entries.begin());
 }
@@ -110,15 +178,23 @@ std::string JointSet::names() const {
   return all;
 }
 
+const std::vector<JointSet>& joint_sets() {
+  static const std::vector<JointSet> sets{{"openxr", openxr_entries(), TipPlace::ball, true, "y"},
+                                          {"webxr", webxr_entries(), TipPlace::ball, true, "y"},
+                                          {"mano", mano_entries(), TipPlace::skin, false, "y"},
+                                          {"mediapipe", mano_entries(), TipPlace::skin, false, "-y"},
+                                          {"mano-model", mano_model_entries(), TipPlace::skin, false, "y"},
+                                          {"leap", leap_entries(), TipPlace::bone, false, "y"}};
+  return sets;
+}
+
 const JointSet& joint_set(std::string_view name) {
-  static const std::array<JointSet, 4> sets{JointSet{"leap", leap_entries(), TipPlace::bone, false},
-                                            JointSet{"openxr", openxr_entries(), TipPlace::ball, true},
-                                            JointSet{"webxr", webxr_entries(), TipPlace::ball, true},
-                                            JointSet{"mano", mano_entries(), TipPlace::skin, false}};
-  for (const JointSet& set : sets) {
-    if (set.name == name) return set;
+  std::string known;
+  for (const JointSet& set : joint_sets()) {
+    if (set.name == lower(name)) return set;
+    known += (known.empty() ? "" : ", ") + std::string(set.name);
   }
-  throw InputError(fmt::format("joint set \"{}\": there is no such set (use leap, openxr, webxr or mano)", name));
+  throw InputError(fmt::format("joint set \"{}\": there is no such set (use one of {})", name, known));
 }
 
 }  // namespace handhold

@@ -9,6 +9,7 @@
 #include "cases/input/json_input.hpp"
 #include "cases/input/text_file.hpp"
 #include "cases/input/trace/joint_frames.hpp"
+#include "cases/input/trace/json_readers.hpp"
 #include "cases/input/trace/source_frame.hpp"
 #include "cases/input/trace/trace_assembler.hpp"
 #include "cases/model/input_error.hpp"
@@ -97,10 +98,21 @@ void read_hand(const json& frame, const json& hand, TraceAssembler& assembler, s
   assembler.add_hand(side_of(joints), joints, id);
 }
 
+/// Fingers of a recording, and those that have bones.
+struct SeenFingers {
+  std::size_t seen{}, with_bones{};
+
+  void count(const json& pointables) {
+    for (const json& pointable : pointables) {
+      ++seen;
+      if (pointable.is_object() && pointable.contains("mcpPosition")) ++with_bones;
+    }
+  }
+};
+
 }  // namespace
 
-Trace read_leap(std::string_view text, const std::string& path) {
-  const json recording = parse_json(text, path);
+Trace leap_trace(const json& recording, const std::string& path) {
   const json& frames = list_of(recording, "frames");
   if (frames.empty()) throw InputError(fmt::format("{}: there are no frames (is it a LeapJS recording?)", path));
   const bool packed = frames[0].is_array();
@@ -114,18 +126,29 @@ Trace read_leap(std::string_view text, const std::string& path) {
     }
   }
   std::size_t guessed = 0;
+  SeenFingers fingers;
   for (std::size_t i = first; i < frames.size(); ++i) {
     const std::string where = fmt::format("{}, frame {}", path, i);
     const json frame = packed ? unpack(frames[0], frames[i], where) : frames[i];
     if (!frame.is_object()) throw InputError(fmt::format("{}: is neither an object nor a packed row", where));
     if (!assembler.add_frame(number_or(frame, "timestamp", std::nan("")) * 1e-6, i)) continue;
+    fingers.count(list_of(frame, "pointables"));
     for (const json& hand : list_of(frame, "hands")) read_hand(frame, hand, assembler, guessed);
   }
+  if (fingers.seen > 0 && fingers.with_bones == 0)
+    throw InputError(
+        fmt::format("{}: its fingers have tips but no joints, as before version 2 of Leap's tracking (record "
+                    "it again with LeapJS 0.6 or later)",
+                    path));
   if (guessed > 0)
     assembler.warn(fmt::format("{} hands do not say whether left or right; told by their shape", guessed));
   Trace trace = assembler.finish();
   trace.name = stem_of(path);
   return trace;
+}
+
+Trace read_leap(std::string_view text, const std::string& path) {
+  return leap_trace(as_recording(parse_json(text, path)), path);
 }
 
 }  // namespace handhold

@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/input/text_encoding.hpp"
 #include "cases/input/text_file.hpp"
 #include "cases/input/trace/source_frame.hpp"
 #include "cases/model/input_error.hpp"
@@ -32,14 +33,6 @@ std::vector<std::string_view> split(std::string_view line, char separator) {
     if (end == std::string_view::npos) return fields;
     line.remove_prefix(end + 1);
   }
-}
-
-double ticks_per_second(std::string_view unit, const std::string& where) {
-  if (unit == "s") return 1;
-  if (unit == "ms") return 1e3;
-  if (unit == "us") return 1e6;
-  if (unit == "ns") return 1e9;
-  throw InputError(fmt::format("{}: time \"{}\" is unknown (use s, ms, us or ns)", where, unit));
 }
 
 /// One hand at the stamp being read.
@@ -138,18 +131,16 @@ class CsvReader {
         fail(fmt::format("version {} is unknown (this program reads 1)", words.back()));
       marked_ = true;
     } else if (key == "name") {
-      trace_.name = std::string(line.substr(line.find("name") + 5));
+      trace_.name = clean_text(line.substr(line.find("name") + 5));
     } else if (key == "unit") {
       require_first(key);
       frame_.per_metre = units_per_metre(words[2], where());
     } else if (key == "up") {
       require_first(key);
-      frame_.up = up_axis(words[2], where());
+      set_up(frame_, words[2], where());
     } else if (key == "handedness") {
       require_first(key);
-      if (words[2] != "right" && words[2] != "left")
-        fail(fmt::format("handedness \"{}\" is not right or left", words[2]));
-      frame_.left_handed = words[2] == "left";
+      set_handedness(frame_, words[2], where());
     } else if (key == "time") {
       require_first(key);
       ticks_ = ticks_per_second(words[2], where());
@@ -268,9 +259,11 @@ Trace read_trace_csv(std::string_view text, const std::string& path) { return Cs
 
 std::string to_csv(const Trace& trace) {
   validate(trace);
-  std::string out;
+  std::string name = clean_text(trace.name), out;
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
   const auto add = std::back_inserter(out);
-  fmt::format_to(add, "# handhold trace 1\n# name {}\n# unit m\n# up z\n# handedness right\n# time s\n", trace.name);
+  fmt::format_to(add, "# handhold trace 1\n# name {}\n# unit m\n# up z\n# handedness right\n# time s\n", name);
   for (std::size_t h = 0; h < trace.hands.size(); ++h) {
     const HandModel& model = trace.hands[h].model;
     for (std::size_t i = 0; i < model.capsules.size(); ++i) {

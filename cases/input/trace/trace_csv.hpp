@@ -13,7 +13,7 @@ namespace handhold {
 ///     # handhold trace 1
 ///     # name grab
 ///     # unit m                          m, cm or mm; default m
-///     # up z                            x, y or z; default z
+///     # up z                            x, y or z, or -x, -y or -z; default z
 ///     # handedness right                of the coordinates, right or left; default right
 ///     # time s                          s, ms, us or ns; default s
 ///     # capsule 0 index_distal 0.0053 0.009     hand, phalanx, half length, radius; in the unit above
