@@ -113,8 +113,8 @@ void doubt_bones(const TraceHand& hand, std::vector<Doubt>& found) {
 void doubt_wrist(const TraceHand& hand, double size, std::vector<Doubt>& found) {
   const double length = hand.model.palm_box.half_extents.z();
   if (!outside(length / anatomical_hand(size).palm_box.half_extents.z(), wrist_limits)) return;
-  found.push_back({fmt::format("{}: the wrist lies {:.0f} mm from the knuckles (is it the elbow, or the end of the "
-                               "forearm?)",
+  found.push_back({fmt::format("{}: the wrist lies {:.0f} mm from the knuckles, as far as the elbow or the "
+                               "forearm's end",
                                named(hand), 2e3 * length),
                    "give the joint of the wrist", false});
 }

@@ -6,18 +6,32 @@
 
 #include <gtest/gtest.h>
 
+#include "cases/input/text_encoding.hpp"
+
 namespace handhold::reports {
 namespace {
 
 TEST(Text, CleanKeepsValidUtf8AndReplacesTheRest) {  // boundaries from RFC 3629, section 4
   for (const std::string good : {"a", "µ", "−", "\xF4\x8F\xBF\xBF", "\xED\x9F\xBF", "\t\n"})
-    EXPECT_EQ(clean_utf8(good), good);
+    EXPECT_EQ(clean_text(good), good);
   const std::string mark = "\xEF\xBF\xBD";
-  EXPECT_EQ(clean_utf8("\xC0\x80"), mark + mark);                // overlong
-  EXPECT_EQ(clean_utf8("\xED\xA0\x80"), mark + mark + mark);     // surrogate
-  EXPECT_EQ(clean_utf8("\xF4\x90\x80\x80").substr(0, 3), mark);  // beyond U+10FFFF
-  EXPECT_EQ(clean_utf8("\xE2\x88"), mark + mark);                // cut short
-  EXPECT_EQ(clean_utf8(std::string("\0\x1b", 2)), mark + mark);  // controls
+  EXPECT_EQ(clean_text("\xC0\x80"), mark + mark);                // overlong
+  EXPECT_EQ(clean_text("\xED\xA0\x80"), mark + mark + mark);     // surrogate
+  EXPECT_EQ(clean_text("\xF4\x90\x80\x80").substr(0, 3), mark);  // beyond U+10FFFF
+  EXPECT_EQ(clean_text("\xE2\x88"), mark + mark);                // cut short
+  EXPECT_EQ(clean_text(std::string("\0\x1b", 2)), mark + mark);  // controls
+}
+
+// Escape sequences, C1 controls and marks of direction command terminals and reorder what people read.
+TEST(Text, CleanReplacesWhatCommandsOrReorders) {
+  const std::string mark = "\xEF\xBF\xBD";
+  for (const std::string bad : {"\x1b", "\x07", "\x7F", "\xC2\x9B", "\xE2\x80\xAE", "\xE2\x81\xA6", "\xE2\x80\x8F",
+                                "\xD8\x9C", "\xE2\x80\xA8"}) {
+    EXPECT_EQ(clean_text("a" + bad + "b"), "a" + mark + "b");
+    EXPECT_EQ(one_line(bad), mark);  // terminal
+    EXPECT_EQ(escape(bad), mark);    // HTML and JUnit
+  }
+  EXPECT_EQ(escape_hidden("\"a\xE2\x80\xAE\xC2\x9B\x7F\xC2\xB5\""), "\"a\\u202e\\u009b\\u007f\xC2\xB5\"");  // JSON
 }
 
 TEST(Text, PadsByWidthNotBytes) {

@@ -205,6 +205,7 @@ void find_format(json& recording, std::vector<std::string>& remarks) {
       const JointSet* set = joints.empty() ? nullptr : set_of(joints);
       if (set == nullptr) continue;
       recording["format"] = std::string(set->name);
+      if (joints[0].is_object() && joints[0].contains("name")) return;  // names leave no doubt
       remarks.push_back(
           fmt::format("\"format\" is missing: {} joints a hand, taken as those of {} (write \"format\": "
                       "\"{}\" if that is right)",

@@ -177,17 +177,17 @@ TEST(LeapReader, BadInput) {
   json wide = packed(json::array({frame_of(0)}), hand_columns, finger_columns);
   wide["frames"][1].push_back(1);
   EXPECT_TRUE(starts_with(message(wide), "r.json, frame 1: a packed row does not fit"));
-  EXPECT_TRUE(contains(message_of([] { return read_leap("[1]", "r.json"); }), "no object"));
+  EXPECT_TRUE(contains(message_of([] { return read_leap("[1]", "r.json"); }), "frame 0: is neither"));
 }
 
-// Unpacking follows the nesting of the columns: a hostile file must not use up the stack.
+// Unpacking, and every copy of a value, follows the nesting: a hostile file must not use up the stack.
 TEST(LeapReader, DeeplyNestedColumnsAreRefused) {
   constexpr int levels = 100'000;
   std::string columns, row, end;
   for (int i = 0; i < levels; ++i) columns += "[{\"a\":", row += '[', end += "}]";
   const std::string text =
       "{\"frames\":[" + columns + "[\"x\"]" + end + "," + row + "[1]" + std::string(levels, ']') + "]}";
-  EXPECT_TRUE(starts_with(message_of([&] { return read_leap(text, "r.json"); }), "r.json, frame 1: a packed row"));
+  EXPECT_TRUE(starts_with(message_of([&] { return read_leap(text, "r.json"); }), "r.json:1, byte "));
 }
 
 TEST(LeapReader, WrongKindsOfMembersNeverEscape) {

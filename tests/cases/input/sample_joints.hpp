@@ -12,8 +12,8 @@
 
 namespace handhold::test {
 
-/// Joints of the mean adult hand that closes, y up and -z forward, by our numbers of joints [m]. x is mirrored for a left
-/// hand.
+/// Joints of the mean adult hand that closes, y up and -z forward, by our numbers of joints [m]. x is mirrored for a
+/// left hand.
 inline Eigen::Vector3d closing_joint(int joint, double curl, double side = 1) {
   const HandModel model = anatomical_hand();
   if (joint == wrist_joint) return {side * 0.1, 1.2, -0.3};

@@ -368,5 +368,17 @@ TEST(SceneFile, ReadsAFile) {
   std::filesystem::remove(path);
 }
 
+// The TOML library follows dotted keys and nesting by recursion.
+TEST(SceneFile, DeepKeysAndNestingAreRefusedBeforeTheLibrarySeesThem) {
+  std::string key = "a", list = "x = ", tables = "x = ";
+  for (int i = 0; i < 31'000; ++i) key += ".a", list += '[', tables += "{a = ";
+  for (const std::string& line : {key + " = 1\n", "[" + key + "]\n", "x = {" + key + " = 1}\n"})
+    expect_input_error([&] { (void)parse_scene("name = \"a.b\"\n" + line, "s.toml"); },
+                       {"s.toml:2: a key has more than 32 parts"});
+  for (const std::string& text : {list, tables})
+    expect_input_error([&] { (void)parse_scene(text, "s.toml"); },
+                       {"s.toml:1: lists and tables are nested more than 32 deep"});
+}
+
 }  // namespace
 }  // namespace handhold

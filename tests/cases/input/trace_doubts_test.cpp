@@ -58,7 +58,10 @@ TEST(TraceDoubts, RealRecordingsAreNotDoubted) {
     for (const auto& entry : std::filesystem::directory_iterator(folder / kind)) {
       const Trace trace = read_trace(entry.path().string());
       EXPECT_TRUE(find_glitches(trace).empty()) << entry.path();
-      for (const Doubt& doubt : doubts(trace)) ADD_FAILURE() << entry.path() << ": " << to_text(doubt);
+      // The emulator's right hand is, number for number, its left one: the only doubt, and a right one.
+      const bool mislabelled = entry.path().filename() == "iwer_pinch_right.json";
+      const std::vector<Doubt> found = doubts(trace);
+      EXPECT_EQ(found.size(), mislabelled ? 1u : 0u) << entry.path() << (found.empty() ? "" : to_text(found[0]));
       ++files;
     }
   }
@@ -72,8 +75,8 @@ TEST(TraceDoubts, UnitsOfLength) {
   EXPECT_TRUE(contains(said(scaled_by(1000)), "--scale 0.001"));
   EXPECT_TRUE(contains(said(scaled_by(0.001)), "--scale 1000"));
   EXPECT_TRUE(contains(said(scaled_by(2.5)), "times an adult's"));
-  EXPECT_FALSE(contains(said(scaled_by(2.5)), "error: "));  // doubtful, but no mistaken unit
-  EXPECT_EQ(said(scaled_by(1000), {false, false, 0.001}), "");  // the cure works
+  EXPECT_FALSE(contains(said(scaled_by(2.5)), "error: "));          // doubtful, but no mistaken unit
+  EXPECT_EQ(said(scaled_by(1000), {false, false, 0.001}), "");      // the cure works
   EXPECT_FALSE(contains(said(scaled_by(100), {true}), "error: "));  // and so does trust
 }
 
@@ -112,9 +115,10 @@ TEST(TraceDoubts, SideAndHandedness) {
   y_down["up"] = "-y";
   EXPECT_EQ(said(y_down), "");
   const test::TemporaryFile file("cured.json", y_down.dump()), good("good.json", closing_recording().dump());
-  EXPECT_LT((read_trace(file.path()).hands[0].samples[3].X_WP[4].p - read_trace(good.path()).hands[0].samples[3].X_WP[4].p)
-                .norm(),
-            1e-12);
+  EXPECT_LT(
+      (read_trace(file.path()).hands[0].samples[3].X_WP[4].p - read_trace(good.path()).hands[0].samples[3].X_WP[4].p)
+          .norm(),
+      1e-12);
 }
 
 TEST(TraceDoubts, ASideThatThePalmContradicts) {
@@ -135,7 +139,7 @@ TEST(TraceDoubts, TheWristAtTheElbow) {
   const json recording = closing_recording("openxr");
   json elbow = recording;
   for (json& frame : elbow["frames"]) frame["hands"]["right"]["joints"][1]["position"][2] = -0.06;
-  EXPECT_TRUE(contains(said(elbow), "from the knuckles (is it the elbow"));
+  EXPECT_TRUE(contains(said(elbow), "from the knuckles, as far as the elbow"));
 }
 
 TEST(TraceDoubts, Radii) {
@@ -147,7 +151,8 @@ TEST(TraceDoubts, Radii) {
   EXPECT_TRUE(contains(said(with_radius(8.5)), "error: "));
 }
 
-/// Orientations of joints as OpenXR wants them, -z along the bone and y to the back; here the finger's plane is x = const.
+/// Orientations of joints as OpenXR wants them, -z along the bone and y to the back; here the finger's plane is x =
+/// const.
 json with_orientations(bool wxyz) {
   json recording = closing_recording();
   for (std::size_t i = 0; i < recording["frames"].size(); ++i) {
@@ -184,9 +189,7 @@ TEST(TraceDoubts, AxesOfACsvThatDoNotFollowTheFingers) {
   EXPECT_TRUE(contains(said(to_csv(trace)), "order of quaternions"));
 }
 
-TEST(TraceDoubts, OneFrameIsNoMotion) {
-  EXPECT_TRUE(contains(said(closing_recording("mano", 1)), "one frame"));
-}
+TEST(TraceDoubts, OneFrameIsNoMotion) { EXPECT_TRUE(contains(said(closing_recording("mano", 1)), "one frame")); }
 
 // A step of 155 mm within a frame, where the hand then stays: not a glitch, but not a hand either.
 TEST(TraceDoubts, AJumpThatStays) {
@@ -226,7 +229,8 @@ TEST(TraceGlitches, AreFoundAndBridged) {
         // second add as much again, and the line over the gap T is off by a T² / 8.
         const double gap = double(frames + 1) / rate;
         for (std::size_t k = 0; k < phalanx_count; ++k)
-          EXPECT_LT((trace.hands[0].samples[40].X_WP[k].p - good.hands[0].samples[40].X_WP[k].p).norm(), gap * gap / 8 * 20);
+          EXPECT_LT((trace.hands[0].samples[40].X_WP[k].p - good.hands[0].samples[40].X_WP[k].p).norm(),
+                    gap * gap / 8 * 20);
         EXPECT_TRUE(find_glitches(trace).empty());
       }
     }
@@ -235,7 +239,8 @@ TEST(TraceGlitches, AreFoundAndBridged) {
 
 TEST(TraceGlitches, WarnOrAreRepaired) {
   const std::string csv = to_csv(with_glitch(closing_hand(60), 1, false));
-  EXPECT_TRUE(contains(said(csv), "right hand, frame 40 (0.667 s): index_proximal, index_intermediate jumps 150 mm aside"));
+  EXPECT_TRUE(
+      contains(said(csv), "right hand, frame 40 (0.667 s): index_proximal, index_intermediate jumps 150 mm aside"));
   EXPECT_TRUE(contains(said(csv), "(bridge it with --repair)"));
   EXPECT_TRUE(contains(said(csv, {false, true}), ": bridged"));
   // The whole hand one metre aside is one glitch and no jump there and back.
