@@ -40,6 +40,17 @@ Spot spot(const Mesh& mesh, const std::vector<double>& sums, double u, double v,
   return {a + v * (b - a) + w * (c - a), (b - a).cross(c - a).normalized()};
 }
 
+/// Whether the solid is missing below a ring around p.
+bool is_narrow(const VoxelField& field, const Eigen::Vector3d& p, const Eigen::Vector3d& n, double thickness) {
+  constexpr double ring = 0.003, below = 0.001;  // [m]: of a finger's samples; past the sag of what is round
+  const Eigen::Vector3d u = n.unitOrthogonal(), v = n.cross(u);
+  const Eigen::Vector3d inside = p - std::min(below, thickness / 2) * n;
+  int missing = 0;
+  for (const Eigen::Vector3d& side : {u, Eigen::Vector3d(-u), v, Eigen::Vector3d(-v)})
+    missing += field.distance(inside + ring * side).distance > 0;
+  return missing > 1;
+}
+
 }  // namespace
 
 std::vector<GraspPlace> find_grasp_places(const VoxelField& field, double thickest, int count) {
@@ -55,7 +66,8 @@ std::vector<GraspPlace> find_grasp_places(const VoxelField& field, double thicke
     if (opposition < least_opposition) continue;
     const bool enclosed = field.raycast(p + thinnest * n, n, opening) ||
                           field.raycast(exit->p_O + thinnest * exit->n_O, exit->n_O, opening);
-    places.push_back({p - thickness / 2 * n, n, thickness, opposition, enclosed});
+    const bool narrow = is_narrow(field, p, n, thickness) || is_narrow(field, exit->p_O, exit->n_O, thickness);
+    places.push_back({p - thickness / 2 * n, n, thickness, opposition, narrow, enclosed});
   }
   return places;
 }

@@ -15,6 +15,7 @@ struct GraspPlace {
   Eigen::Vector3d n_O{Eigen::Vector3d::UnitZ()};  ///< unit, outward at the first place; the second faces away from it
   double thickness{};                             ///< from the first to the second, through the solid [m]
   double opposition{};                            ///< -n1·n2: 1 where the places face exactly away from each other
+  bool narrow{};    ///< a fingertip's ring of samples does not fit on one of them: a rim, the edge of a card
   bool enclosed{};  ///< out from one of them the object comes again within 12 cm: a finger there is inside a cup or a
                     ///< bow
 };

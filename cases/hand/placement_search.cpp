@@ -33,6 +33,7 @@ constexpr int closings_each = 2;                  // of a place: the longest
 constexpr double excess_weight = 0.5;    // a thick object is taken deeply on both sides alike, which holds it
 constexpr double lever_weight = 0.15;    // a place 1 cm off the centre of volume is as bad as 1.5 mm
 constexpr double enclosed_cost = 0.015;  // the wall of a cup, with a finger inside it
+constexpr double narrow_cost = 0.03;     // the rim of a cup, the edge of a card
 constexpr double tilt_weight = 0.001;    // upside down is as bad as 2 mm
 constexpr double oblique_weight = 0.01;  // opposition 0.8 is as bad as 2 mm
 constexpr double astray_weight = 0.02;   // a finger round an edge, on a face at right angles, is as bad as 2 cm
@@ -274,7 +275,8 @@ std::vector<PlacementCandidate> choose_places(const Reach& reach, const std::vec
       PlacementCandidate c{place, closing, depth};
       c.excess = std::max(0.0, (place.thickness - closing.mean_gap) / 2 - options.most_depth);
       c.cost = excess_weight * c.excess + lever_weight * (place.center_O - center_O).norm() +
-               oblique_weight * (1 - place.opposition) + (place.enclosed ? enclosed_cost : 0);
+               oblique_weight * (1 - place.opposition) + (place.enclosed ? enclosed_cost : 0) +
+               (place.narrow ? narrow_cost : 0);
       all.push_back(c);
     }
   }

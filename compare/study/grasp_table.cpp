@@ -31,12 +31,6 @@ Scene grasp_scene(const PlacingRequest& request, const TriedPlacement& best) {
   return scene;
 }
 
-double difference_until(const Recording& a, const Recording& b, double until) {
-  Recording head = a;
-  std::erase_if(head.frames, [&](const Frame& frame) { return frame.t > until + 1e-9; });
-  return difference(head, b).max_translation;
-}
-
 void play(const GraspTableOptions& options, const Scene& scene, const TriedPlacement& best, GraspRow& row) {
   std::vector<Recording> recordings;
   EngineOptions settings = options.engine;
@@ -52,8 +46,7 @@ void play(const GraspTableOptions& options, const Scene& scene, const TriedPlace
     if (recordings.size() == 1 && options.horizon) row.horizon = options.horizon(scene, *engine, settings, recording);
   }
   if (recordings.size() > 1)
-    row.difference =
-        difference_until(recordings[0], recordings[1], row.horizon.value_or(std::numeric_limits<double>::infinity()));
+    row.difference = difference(recordings[0], recordings[1], row.horizon.value_or(scene.duration)).max_translation;
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "compare/engine/auto_contact.hpp"
 #include "compare/engine/engines.hpp"
 #include "compare/study/grasp_table.hpp"
+#include "compare/study/horizon.hpp"
 #include "reports/cli/commands.hpp"
 #include "reports/cli/interrupt.hpp"
 #include "reports/cli/option_checks.hpp"
@@ -79,6 +80,8 @@ void execute(const GraspsCommand& command, Invocation& invocation) {
   options.contact_of = [](const Body& body, const Placement& placement) {
     return compare::auto_contact(body, placement, PatchOptions{}.samples);
   };
+  options.horizon = [](const Scene& scene, const compare::Engine& engine, const compare::EngineOptions& settings,
+                       const Recording& run) { return compare::horizon(scene, engine, settings, run).t; };
   const std::vector<compare::GraspPair> pairs = pairs_of(command);
   if (!command.json) fmt::print("{}", grasp_table_head(options.engines));
   std::vector<compare::GraspRow> rows;
@@ -88,6 +91,7 @@ void execute(const GraspsCommand& command, Invocation& invocation) {
     progress.step(fmt::format("{} with {}", pair.recording, pair.body.name));
     rows.push_back(compare::play_grasp(pair, options));
     if (!command.json) fmt::print("{}", grasp_row_text(rows.back()));
+    std::fflush(stdout);  // a row can take a minute
   }
   fmt::print("{}", command.json ? grasp_table_json(rows) : grasp_totals(rows));
   if (interrupted()) invocation.exit_code = exit_gate_failed;
