@@ -195,7 +195,7 @@ TEST(Trace, RefusesPlacesTimesAndConfidencesThatNoTrackerSees) {
   Trace trace = closing_hand(30);
   EXPECT_NO_THROW(validate(trace));
   trace.hands[0].samples[3].X_WP[palm].p.x() = 1e300;
-  EXPECT_TRUE(contains(message_of([&] { return validate(trace), 0; }), "sample 3, palm lies farther than 1000 m"));
+  EXPECT_TRUE(contains(message_of([&] { return validate(trace), 0; }), "sample 3, palm lies farther than 1000000 m"));
   trace = closing_hand(30);
   trace.t.back() = 1.7e18;  // nanoseconds since 1970
   EXPECT_TRUE(contains(message_of([&] { return validate(trace), 0; }), "1.7e+18 s (check the unit of time)"));
