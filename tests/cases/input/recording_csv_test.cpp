@@ -149,7 +149,7 @@ TEST_F(RecordingCsv, OverwritesAndLeavesNothingBeside) {
   EXPECT_TRUE(read_recording(folder_).frames.empty());
   int files = 0;
   for ([[maybe_unused]] const auto& entry : fs::directory_iterator(folder_)) ++files;
-  EXPECT_EQ(files, 4);
+  EXPECT_EQ(files, 5);
 }
 
 TEST_F(RecordingCsv, AFullDiskIsAnErrorAndLeavesWhatWasThere) {
