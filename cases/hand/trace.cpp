@@ -42,8 +42,9 @@ void check_confidence(const Trace& trace, double confidence, std::size_t hand, s
 void check_pose(const Trace& trace, const Pose& X_WP, std::size_t hand, std::size_t sample, int phalanx) {
   const double norm = X_WP.R.norm();
   if (X_WP.p.allFinite() && X_WP.p.cwiseAbs().maxCoeff() > farthest) {
-    throw InputError(fmt::format("{}: hand {}, sample {}, {} lies farther than {:.0f} m from the origin (check the unit)",
-                                 where(trace), hand, sample, phalanx_name(phalanx), farthest));
+    throw InputError(
+        fmt::format("{}: hand {}, sample {}, {} lies farther than {:.0f} m from the origin (check the unit)",
+                    where(trace), hand, sample, phalanx_name(phalanx), farthest));
   }
   if (X_WP.p.allFinite() && std::isfinite(norm) && std::abs(norm - 1) <= unit_tolerance) return;
   throw InputError(

@@ -163,7 +163,8 @@ TEST_F(CommandLine, RunSaysUntilWhenTheReferenceMeansSomething) {
   EXPECT_EQ(result.exit_code, 0) << result.error;
   EXPECT_NE(result.out.find("this answer means something to the end"), std::string::npos) << result.out;
   EXPECT_NE(result.out.find("for edges turn by up to 90 degrees"), std::string::npos) << result.out;
-  EXPECT_EQ(run("run --case C01/slides --engine reference --no-horizon").out.find("means something"), std::string::npos);
+  EXPECT_EQ(run("run --case C01/slides --engine reference --no-horizon").out.find("means something"),
+            std::string::npos);
 }
 
 TEST_F(CommandLine, RunDrawsTheVisualHandAndWritesItAsATrace) {

@@ -33,7 +33,7 @@ TEST_P(EveryShape, IsAClosedOutwardManifoldAroundItsCentre) {
 
 INSTANTIATE_TEST_SUITE_P(Kinds, EveryShape,
                          testing::Values("box", "sphere", "cylinder", "l_shape", "torus", "plate_with_hole", "cup",
-                                         "mug", "hammer", "axe", "pawn"),
+                                         "mug", "hammer", "axe", "pawn", "card", "bowl", "bottle"),
                          [](const auto& shape) { return shape.param; });
 
 TEST(Shapes, ListOfKindsIsComplete) {
@@ -42,7 +42,7 @@ TEST(Shapes, ListOfKindsIsComplete) {
     EXPECT_NO_THROW((void)make_shape(kind.name)) << kind.name;
     ++count;
   }
-  EXPECT_EQ(count, 11u);  // as instantiated above
+  EXPECT_EQ(count, 14u);  // as instantiated above
 }
 
 // Volumes by hand: boxes by product; polygons with n corners of circumradius r have area n/2 r² sin(2π/n).
