@@ -49,7 +49,9 @@ TEST(GraspTable, WhatIsTriedIsWhatIsPlayed) {
     const GraspRow row = play_grasp(pair_of(0, body_of(shape)), real_time());
     ASSERT_TRUE(row.placing) << row.refused;
     const TriedPlacement& best = row.placing->tried.front();
-    if (shape == "box") EXPECT_TRUE(best.trial.held);
+    if (shape == "box") {
+      EXPECT_TRUE(best.trial.held);
+    }
     EXPECT_EQ(row.placing->remedy.has_value(), !best.trial.held) << shape;
     EXPECT_EQ(row.engines.front().trial.held, best.trial.held);  // what was tried is what is played
   }
