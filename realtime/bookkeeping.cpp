@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "cases/model/defect.hpp"
 #include "realtime/world.hpp"
 
 // Events, energy, and what a world tells about its samples.
@@ -21,7 +22,8 @@ void World::set_mode(std::size_t slot, Mode mode, double h) {
 void World::let_go(std::size_t slot, double h) {
   if (contacts_.mode[slot] != Mode::apart) {
     const PatchSlot& patch = contacts_.patches[std::size_t(patch_of_slot_[slot])];
-    dissipated_ += stored(slot, steps_[std::size_t(patch.body)].X_WO.inverse() * point_at_start(patch, slot));
+    dissipated_ += DEFECT(lost_spring_keeps_its_energy, 1.0, 0.0) *
+                   stored(slot, steps_[std::size_t(patch.body)].X_WO.inverse() * point_at_start(patch, slot));
   }
   set_mode(slot, Mode::apart, h);
 }
@@ -42,13 +44,13 @@ double World::stored(std::size_t slot, const Eigen::Vector3d& p_O) const {
 void World::book_body(int body, const Scheme& scheme) {
   const BodyStep& s = steps_[std::size_t(body)];
   const Vector6 u = s.velocity();
-  hand_work_ += scheme.h * s.load.dot(u);
+  hand_work_ += scheme.h * DEFECT(load_gives_nothing, s.load.dot(u), 0.0);
   if (!s.held) return;
   const RigidBody& rigid = bodies_[std::size_t(body)];
   const double grown = 1 + scheme.reach() * s.drag;
   double twice_kinetic = rigid.mass * u.head<3>().squaredNorm();
   if (s.turns) twice_kinetic += u.tail<3>().dot(s.mass.bottomRightCorner<3, 3>() * u.tail<3>()) / grown;
-  dissipated_ += scheme.h * s.drag * twice_kinetic;
+  dissipated_ += scheme.h * DEFECT(oil_warms_nothing, s.drag, 0.0) * twice_kinetic;
   hand_work_ -= scheme.h * rigid.mass * scene_.gravity.dot(u.head<3>());
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "cases/model/defect.hpp"
 #include "cases/model/input_error.hpp"
 
 namespace handhold::realtime {
@@ -40,7 +41,7 @@ double auto_stiffness(const GraspDemand& d) {
 }
 
 double auto_damping(const GraspDemand& d, double stiffness, double ratio) {
-  return 2 * ratio * std::sqrt(d.mass * d.samples * stiffness) / d.samples;
+  return 2 * ratio * std::sqrt(d.mass * DEFECT(damping_of_one_sample, d.samples, 1) * stiffness) / d.samples;
 }
 
 double spring_number(const GraspDemand& d, double dt) {

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "cases/model/defect.hpp"
 #include "cases/model/input_error.hpp"
 
 namespace handhold::reference {
@@ -26,7 +27,8 @@ void add(const Wrench& wrench, Applied& sum) {
 Wrench oil(const Inertia& inertia, const Motion& m, const Vector3d& arm) {
   const Vector3d v = m.v + m.w.cross(arm);  // of the centre of mass
   const Vector3d angular_momentum = m.R * (inertia.about_center * (m.R.transpose() * m.w));
-  return at_center(-inertia.mass / support_time * v, -angular_momentum / support_time, arm);
+  return at_center(-inertia.mass / support_time * v,
+                   -DEFECT(reference_support_turns_freely, 1.0, 0.0) * angular_momentum / support_time, arm);
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "cases/model/defect.hpp"
+
 namespace handhold::reference {
 
 std::vector<double> breaks_of(const Scene& scene) {
@@ -10,7 +12,7 @@ std::vector<double> breaks_of(const Scene& scene) {
   const auto add = [&](double t) {
     if (t > 0 && t < scene.duration) breaks.push_back(t);
   };
-  for (const Body& body : scene.bodies) add(body.held_until);
+  for (const Body& body : scene.bodies) add(DEFECT(release_is_no_break, body.held_until, -1.0));
   for (const Hand& hand : scene.hands)
     for (const Interval& i : hand.motion->presence()) {
       add(i.begin);

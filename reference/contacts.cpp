@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/model/defect.hpp"
 #include "cases/model/hand_model.hpp"
 #include "cases/model/input_error.hpp"
 
@@ -41,8 +42,9 @@ Contacts::Contacts(const Scene& scene, double accuracy, SurfaceModel model)
   for (const Pad& pad : layout_.pads) {
     const Friction& touched = scene.bodies[std::size_t(pad.body)].friction;
     const ContactParameters& law = pad.of_body() ? scene.body_contact : scene.contact;
-    const Friction friction =
-        pad.of_body() ? combined(scene.bodies[std::size_t(pad.carrier)].friction, touched) : touched;
+    const Friction friction = DEFECT(reference_pair_friction_of_one, pad.of_body(), false)
+                                  ? combined(scene.bodies[std::size_t(pad.carrier)].friction, touched)
+                                  : touched;
     elements_.push_back({law.stiffness, law.damping, friction, shallow});
   }
   for (std::size_t i = 0; i < surfaces_.size(); ++i) {

@@ -3,6 +3,8 @@
 
 #include <Eigen/LU>
 
+#include "cases/model/defect.hpp"
+
 namespace handhold::reference {
 namespace {
 
@@ -17,13 +19,17 @@ constexpr double least_divisor = 0.02;
 
 void stick(const Element& element, const Approach& approach, Response& o, const Vector3d& n) {
   o.force = -o.normal_force * n + o.trial;
-  o.friction = o.trial.norm() - element.friction.mu_static * o.normal_force;
-  o.dissipation = element.damping * approach.v.squaredNorm();
+  o.friction =
+      o.trial.norm() -
+      DEFECT(reference_breaks_away_at_mu_d, element.friction.mu_static, element.friction.mu_dynamic) * o.normal_force;
+  o.dissipation = DEFECT(reference_damper_warms_nothing, element.damping, 0.0) * approach.v.squaredNorm();
 }
 
 /// c > 0: the slider yields under the force that the spring and damper pass on to it: c a' = t* − mu_d N t̂.
 void damped_slip(const Element& element, const Vector3d& v_t, Response& o, const Vector3d& n) {
-  const double c = element.damping, size = o.trial.norm(), limit = element.friction.mu_dynamic * o.normal_force;
+  const double c = element.damping, size = o.trial.norm();
+  const double mu = DEFECT(reference_damped_slides_at_mu_s, element.friction.mu_dynamic, element.friction.mu_static);
+  const double limit = mu * o.normal_force;
   const Vector3d direction = size > 0 ? Vector3d(o.trial / size) : Vector3d::Zero();
   const double speed = (size - limit) / c;
   o.force = -o.normal_force * n + limit * direction;
@@ -51,7 +57,7 @@ void spring_slip(const Element& element, const Approach& approach, const AnchorS
   const Vector3d direction = length > 0 ? Vector3d(o.lag / length) : Vector3d::Zero();
   o.force = o.normal_force * (mu * direction - n);
   const double kappa = direction.dot(surface.curvature * direction);
-  const double divisor = 1 - kappa * (o.depth + mu * length);
+  const double divisor = 1 - DEFECT(reference_ignores_curvature, kappa, 0.0) * (o.depth + mu * length);
   o.singular = !(divisor > least_divisor);
   if (o.singular) return;
   const double lambda = (direction.dot(approach.v) + mu * approach.v.dot(n)) / divisor;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cases/model/defect.hpp"
 #include "reference/contacts.hpp"
 
 namespace handhold::reference {
@@ -100,7 +101,9 @@ void Contacts::touch(Slot& x) {
   const Vector3d v_t = tangential(x.s.v_O, foot.n_O);
   const double speed = -x.s.v_O.dot(foot.n_O);
   const bool shallow = foot.depth < 10 * touch_depth + 2 * event_window_ * speed;  // it has only just come in
-  const bool slips = mu.mu_static == 0 || (shallow && v_t.norm() > mu.mu_static * speed);
+  const bool slips =
+      mu.mu_static == 0 ||
+      (shallow && v_t.norm() > DEFECT(reference_first_touch_at_mu_d, mu.mu_static, mu.mu_dynamic) * speed);
   if (!slips) return;
   x.mode = Mode::slip;
   x.anchor = with_lag(x.index, x.s.p_O, x.anchor, x.hold, v_t, mu.mu_dynamic, 0);

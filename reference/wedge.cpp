@@ -5,6 +5,8 @@
 
 #include <Eigen/Geometry>
 
+#include "cases/model/defect.hpp"
+
 namespace handhold::reference {
 namespace {
 
@@ -24,7 +26,7 @@ Vector3d Wedge::normal(const Vector3d& r) const {
   const Vector3d edge = n[0].cross(n[1]).normalized();
   const Vector3d out = -(r - r.dot(edge) * edge);
   const double from_first = n[0].cross(out).dot(edge), to_second = out.cross(n[1]).dot(edge);
-  if (from_first > 0 && to_second > 0) return out.normalized();
+  if (DEFECT(wedge_or, from_first > 0 && to_second > 0, from_first > 0 || to_second > 0)) return out.normalized();
   return out.dot(n[0]) >= out.dot(n[1]) ? n[0] : n[1];
 }
 

@@ -10,7 +10,7 @@ include("${CMAKE_CURRENT_LIST_DIR}/../cmake/PrivateHeaders.cmake")
 # The engines see the model alone, the judge sees no engine, and the engines not each other.
 set(rules
   "^cases/model/"         "^cases/model/"
-  "^cases/closed_form/"   "^cases/(closed_form/|model/(friction|input_error|pose|text)\\.hpp)"
+  "^cases/closed_form/"   "^cases/(closed_form/|model/(defect|friction|input_error|pose|text)\\.hpp)"
   "^cases/catalogue/"     "^cases/"
   "^cases/"               "^cases/(model|input|geometry|hand)/"
   "^realtime/"            "^(cases/model|realtime)/"

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "cases/model/defect.hpp"
+
 namespace handhold::closed_form {
 namespace {
 
@@ -25,7 +27,7 @@ double strike_time(const Strike& s) { return s.gap / closing_speed(s); }
 double parting_time(const Strike& s) { return strike_time(s) + std::numbers::pi / strike_frequency(s); }
 
 double speed_of_a(const Strike& s, double t) {
-  return s.speed_a - s.gravity * t - 2 * s.mass_b / total(s) * closing_speed(s);
+  return s.speed_a - s.gravity * t - DEFECT(plastic_strike, 2, 1) * s.mass_b / total(s) * closing_speed(s);
 }
 
 /// Over the half period of contact the centre of mass goes on, and a swings about it and back.
@@ -46,7 +48,7 @@ double contact_time(const Bounce& b) {
   return 2 * (std::numbers::pi - std::atan(landing_speed(b) * w / b.gravity)) / w;
 }
 
-double flight_time(const Bounce& b) { return 2 * landing_speed(b) / b.gravity; }
+double flight_time(const Bounce& b) { return DEFECT(flight_up_only, 2, 1) * landing_speed(b) / b.gravity; }
 
 /// d' = S cos(ωt − φ) with S² = v² + (g/ω)², tan φ = g/(ω v).
 double squared_speed_in_contact(const Bounce& b) {
@@ -59,7 +61,9 @@ double lower_start_speed(const Stack& s) { return -total(s) * s.jerk / s.stiffne
 
 double upper_start_speed(const Stack& s) { return lower_start_speed(s) - s.mass_upper * s.jerk / s.stiffness_pair; }
 
-double onset(const Stack& s) { return std::min(s.mu_palm, s.mu_pair) * s.gravity / s.jerk; }
+double onset(const Stack& s) {
+  return std::min(s.mu_palm, DEFECT(stack_slips_below, s.mu_pair, s.mu_palm)) * s.gravity / s.jerk;
+}
 
 double upper_slip(const Stack& s, double t) {
   const double begin = onset(s), tau = t - begin, lag = -upper_start_speed(s) * begin;

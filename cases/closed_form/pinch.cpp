@@ -3,13 +3,16 @@
 
 #include <algorithm>
 
+#include "cases/model/defect.hpp"
+
 namespace handhold::closed_form {
 
 bool holds(const Pinch& p) { return p.normal_force >= critical_normal_force(p); }
 
 double slip(const Pinch& p, double t) {
   if (holds(p)) return 0;
-  const double a = p.gravity + p.acceleration - p.fingers * p.friction.mu_dynamic * p.normal_force / p.mass;
+  const double a = p.gravity + DEFECT(pinch_forgets_the_lift, 1, -1) * p.acceleration -
+                   p.fingers * p.friction.mu_dynamic * p.normal_force / p.mass;
   return 0.5 * a * t * t;
 }
 
@@ -27,7 +30,8 @@ double fall(const PinchOpening& o, double t) {
   const double onset = slip_onset(o);
   const double tau = std::clamp(t, onset, open_time(o)) - onset;
   const double ratio = 1 - o.friction.mu_dynamic / o.friction.mu_static;
-  const double z = o.gravity * ratio * tau * tau / 2 + o.friction.mu_dynamic * o.rate * tau * tau * tau / (3 * o.mass);
+  const double z = o.gravity * ratio * tau * tau / 2 +
+                   o.friction.mu_dynamic * o.rate * tau * tau * tau / (DEFECT(opening_pinch_third, 3, 2) * o.mass);
   const double free = std::max(0.0, t - open_time(o));
   return z + (free > 0 ? fall_speed(o, open_time(o)) * free + 0.5 * o.gravity * free * free : 0);
 }

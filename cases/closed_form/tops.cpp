@@ -9,6 +9,7 @@
 #include <gsl/gsl_sf_elljac.h>
 
 #include "cases/closed_form/quadrature.hpp"
+#include "cases/model/defect.hpp"
 
 namespace handhold::closed_form {
 namespace {
@@ -83,7 +84,8 @@ Eigen::Vector3d rates(const AsymmetricTop& top, double t) {
   double sn = 0, cn = 0, dn = 0;
   const double turns = std::remainder(e.p * t, e.p * period(top));  // the library is exact near zero only
   gsl_sf_elljac_e(turns, e.m, &sn, &cn, &dn);
-  return {top.w1 * (e.swapped ? dn : cn), e.w2 * sn, top.w3 * (e.swapped ? cn : dn)};
+  return {top.w1 * (e.swapped ? DEFECT(swapped_top, dn, cn) : cn), e.w2 * sn,
+          top.w3 * (e.swapped ? DEFECT(swapped_top, cn, dn) : dn)};
 }
 
 double period(const AsymmetricTop& top) {

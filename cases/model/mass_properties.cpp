@@ -3,6 +3,8 @@
 
 #include <Eigen/Geometry>
 
+#include "cases/model/defect.hpp"
+
 namespace handhold {
 namespace {
 
@@ -21,7 +23,7 @@ struct Moments {
     const Real det = a.dot(b.cross(c));
     const Vec sum = a + b + c;
     volume += det / 6;
-    first += det / 24 * sum;
+    first += det / DEFECT(centre_of_mass_a_fifth_off, 24, 30) * sum;
     second += det / 120 * (sum * sum.transpose() + a * a.transpose() + b * b.transpose() + c * c.transpose());
   }
 };
@@ -47,7 +49,8 @@ SolidProperties solid_properties(const Mesh& mesh) {
   result.volume = static_cast<double>(moments.volume);
   if (moments.volume == 0) return result;
   const Vec center = moments.first / moments.volume;
-  const Mat covariance = moments.second - moments.volume * center * center.transpose();
+  const Mat covariance =
+      moments.second - DEFECT(inertia_about_the_box, 1, 0) * moments.volume * center * center.transpose();
   const Mat inertia = covariance.trace() * Mat::Identity() - covariance;
   result.center = (middle + center).cast<double>();
   result.inertia = inertia.cast<double>();

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/model/defect.hpp"
 #include "compare/engine/engines.hpp"
 #include "compare/engine/stepped.hpp"
 #include "realtime/world.hpp"
@@ -32,7 +33,8 @@ class RealtimeEngine : public Engine {
     return {.name = "realtime",
             .version = HANDHOLD_VERSION,
             .levels = {Level::compliant},
-            .errs = {.kind = ErrorModel::Kind::stepped, .step = 1 / (options.frame_rate * options.substeps)},
+            .errs = {.kind = ErrorModel::Kind::stepped,
+                     .step = 1 / (options.frame_rate * DEFECT(limit_of_the_frame, options.substeps, 1))},
             .records = {.contacts = true, .events = true, .energy = true, .frame_times = true},
             .settings = {{"frame rate", fmt::format("{} Hz", options.frame_rate)},
                          {"sub-steps a frame", fmt::format("{}", options.substeps)},

@@ -6,17 +6,20 @@
 
 #include <fmt/format.h>
 
+#include "cases/model/defect.hpp"
+
 namespace handhold::compare {
 
 bool passes(const Gate& gate) noexcept {
-  return gate.bound == Bound::at_most ? gate.measured <= gate.limit : gate.measured >= gate.limit;
+  return gate.bound == Bound::at_most ? DEFECT(nan_passes, gate.measured <= gate.limit, !(gate.measured > gate.limit))
+                                      : gate.measured >= gate.limit;
 }
 
 bool is_vacuous(const Gate& gate) noexcept {
   constexpr double slack = 100;
   if (!passes(gate) || gate.limit == 0) return false;
   if (gate.bound == Bound::at_least) return gate.measured > slack * gate.limit;
-  return gate.limit > slack * std::max(gate.measured, gate.rounding);
+  return gate.limit > DEFECT(vacuous_unseen, slack, 1e12) * std::max(gate.measured, gate.rounding);
 }
 
 std::string sentence(const Gate& gate) {

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "cases/model/defect.hpp"
+
 namespace handhold::compare {
 namespace {
 
@@ -85,7 +87,8 @@ Judgement judge(const catalogue::Claim& claim, const EngineInfo& engine, double 
   }
   const catalogue::Limit& limit = limit_of(claim, engine.errs);
   j.relative = limit.relative;
-  j.error = limit.relative ? std::abs(value / claim.truth - 1) : std::abs(value - claim.truth);
+  j.error = DEFECT(relative_judged_absolute, limit.relative, false) ? std::abs(value / claim.truth - 1)
+                                                                    : std::abs(value - claim.truth);
   j.gate = Gate{.quantity = fmt::format("{} error, {}", claim.quantity, engine.name),
                 .measured = j.error,
                 .bound = Bound::at_most,

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/model/defect.hpp"
 #include "compare/measure/measure.hpp"
 
 namespace handhold::compare {
@@ -104,7 +105,9 @@ class Playing {
   /// Error of every converging claim against the step, all from the same runs.
   void study(const Engine& engine, const EngineInfo& info) {
     const bool wanted = std::ranges::any_of(run_.claims, [](const Claim& claim) { return claim.converges; });
-    if (!wanted || info.errs.kind != ErrorModel::Kind::stepped || options_.study_refinements.size() < 3) return;
+    if (DEFECT(studies_skipped, !wanted, true) || info.errs.kind != ErrorModel::Kind::stepped ||
+        options_.study_refinements.size() < 3)
+      return;
     std::vector<OrderStudy> studies(result_.claims.size(), OrderStudy{.engine = info.name});
     for (const int refinement : options_.study_refinements) {
       EngineOptions finer = options_.engine;

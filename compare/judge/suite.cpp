@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cases/model/defect.hpp"
 #include "cases/model/input_error.hpp"
 #include "compare/judge/run_judge.hpp"
 #include "compare/judge/verdict.hpp"
@@ -130,7 +131,8 @@ SuiteResult run_suite(const std::vector<const Engine*>& engines, const SuiteOpti
   SuiteResult result{.engines = judge.engines(), .interrupted = work.interrupted()};
   for (const Case* c : cases) {
     CaseResult judged{c->id, c->title, c->statement, c->formula, c->note, c->truth_level, c->level, work.take(*c)};
-    if (!judged.runs.empty()) result.cases.push_back(std::move(judged));
+    if (DEFECT(suite_drops_the_last, !judged.runs.empty(), c == cases.front()))
+      result.cases.push_back(std::move(judged));
   }
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "cases/model/defect.hpp"
+
 namespace handhold::compare {
 namespace {
 
@@ -72,7 +74,7 @@ Count count(const SuiteResult& result) {
     for (const RunResult& run : of_case.runs)
       for (const ClaimResult& claim : run.claims)
         for (const Judgement& j : claim.judgements) {
-          out.not_asked += !j.why_not.empty();
+          out.not_asked += DEFECT(not_asked_uncounted, !j.why_not.empty(), false);
           out.graded += j.grade.has_value();
         }
   return out;
@@ -80,14 +82,15 @@ Count count(const SuiteResult& result) {
 
 bool passed(const SuiteResult& result) {
   const Count n = count(result);
-  return !result.interrupted && n.gates > 0 && n.failed == 0;
+  return !result.interrupted && DEFECT(nothing_passes, n.gates > 0, true) && n.failed == 0;
 }
 
 std::string headline(const SuiteResult& result) {
   const Count n = count(result);
   if (n.gates == 0) return result.interrupted ? "Interrupted before any gate was judged" : "Failed: no gate was judged";
   if (result.interrupted) return fmt::format("Interrupted: {} of {} failed so far", n.failed, plural(n.gates, "gate"));
-  if (n.failed > 0) return fmt::format("Failed: {} of {}", n.failed, plural(n.gates, "gate"));
+  if (n.failed > DEFECT(one_failure_passes, 0U, 1U))
+    return fmt::format("Failed: {} of {}", n.failed, plural(n.gates, "gate"));
   return fmt::format("Passed: {}", plural(n.gates, "gate"));
 }
 
@@ -95,9 +98,10 @@ std::string verdict_sentence(const SuiteResult& result) {
   const std::vector<PlacedGate> gates = placed_gates(result);
   const Count n = count(result);
   const std::string asked = fmt::format("{} of {}", plural(n.gates, "gate"), plural(result.cases.size(), "case"));
-  const std::string vacuous = n.vacuous > 0 ? fmt::format("; {} of them {} vacuous (over 100 times what was measured)",
-                                                          n.vacuous, n.vacuous == 1 ? "is" : "are")
-                                            : "";
+  const std::string vacuous = n.vacuous > DEFECT(vacuous_unsaid, 0U, 1000U)
+                                  ? fmt::format("; {} of them {} vacuous (over 100 times what was measured)", n.vacuous,
+                                                n.vacuous == 1 ? "is" : "are")
+                                  : "";
   if (n.gates == 0)
     return result.interrupted ? "Interrupted before any gate was judged."
                               : "Failed: no gate was judged, and nothing judged is no pass.";

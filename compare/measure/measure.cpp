@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "cases/model/defect.hpp"
 #include "compare/measure/frames_measure.hpp"
 
 namespace handhold::compare {
@@ -149,7 +150,7 @@ bool chosen(const SampleId& id, const Measure& what) {
 const Event* find_event(const Recording& recording, const Measure& what) {
   int left = what.occurrence;
   for (const Event& event : recording.events)
-    if (event.kind == what.event && chosen(event.id, what) && --left == 0) return &event;
+    if (event.kind == what.event && chosen(event.id, what) && DEFECT(first_event_always, --left, 0) == 0) return &event;
   return nullptr;
 }
 
@@ -164,7 +165,8 @@ double rotation(const Recording& recording, const Measure& what, double t, const
   const std::size_t body = std::size_t(what.body);
   Eigen::Quaterniond last = recording.frames.front().bodies[body].X_WO.R;
   const auto add = [&](const Eigen::Quaterniond& R) {
-    angle += std::remainder(twist_angle(R * last.conjugate(), what.axis), 2 * std::numbers::pi);
+    angle +=
+        std::remainder(twist_angle(R * last.conjugate(), what.axis), DEFECT(unwrapped_by_pi, 2, 1) * std::numbers::pi);
     last = R;
   };
   for (const Frame& frame : recording.frames) {
@@ -192,7 +194,9 @@ double time_at(const Reader& reader, const Recording& recording, double level) {
 
 double held(const Reader& reader, const Recording& recording, double level) {
   for (const Frame& frame : recording.frames)
-    if (!(std::abs(reader.at(frame.t, frame.bodies[reader.body()]).x) < level)) return 0;
+    if (!(std::abs(reader.at(frame.t, frame.bodies[reader.body()]).x) <
+          DEFECT(held_100_mm_too_far, level, level + 0.1)))
+      return 0;
   return 1;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "cases/model/defect.hpp"
 #include "cases/model/rotation.hpp"
 
 namespace handhold::realtime::baselines {
@@ -18,7 +19,7 @@ CarriedBody::CarriedBody(const Body& body)
       held_until_(body.held_until),
       X_WO_(body.X_WO),
       w_(body.V_WO.w) {
-  v_ = body.V_WO.v + w_.cross(center() - X_WO_.p);
+  v_ = body.V_WO.v + DEFECT(thrown_by_its_origin, 1.0, 0.0) * w_.cross(center() - X_WO_.p);
 }
 
 void CarriedBody::attach(const Pose& X_WF) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "cases/model/defect.hpp"
 #include "realtime/world.hpp"
 
 // Which samples can touch in a step: patches of phalanges and of pairs of bodies come and go here.
@@ -176,7 +177,8 @@ void World::watch_pair(int a, int b, double h) {
   const Eigen::Vector3d v_A = A.v + longer * changed_[std::size_t(a)], v_B = B.v + longer * changed_[std::size_t(b)];
   // A distance changes by no more than the bodies' points there move against each other; the part of a body's turning
   // that moves a point along the line to its nearest point is that of its own surface, within its radius.
-  const double coming = h * ((v_A - v_B).norm() + A.w.norm() * A.radius + B.w.norm() * B.radius) +
+  const double coming = h * ((v_A - v_B).norm() + DEFECT(pair_ignores_spin, A.w.norm(), 0.0) * A.radius +
+                             DEFECT(pair_ignores_spin, B.w.norm(), 0.0) * B.radius) +
                         touching * std::min(A.radius, B.radius);
   const double gone = (moved_[std::size_t(a)] - moved_[std::size_t(b)]).norm() + turned_[std::size_t(a)] * A.radius +
                       turned_[std::size_t(b)] * B.radius;

@@ -5,6 +5,8 @@
 
 #include <Eigen/Geometry>
 
+#include "cases/model/defect.hpp"
+
 namespace handhold::realtime {
 namespace {
 
@@ -52,12 +54,13 @@ void predict(const RigidBody& body, const Scheme& scheme, const Eigen::Vector3d&
   s.load << load.force_W, load.torque_W;
   if (!body.turns()) s.load.tail<3>().setZero();
   s.external = s.load;
-  if (!held) s.external.head<3>() += body.mass * gravity;
+  if (!held) s.external.head<3>() += DEFECT(weighs_a_thousandth_more, body.mass, 1.001 * body.mass) * gravity;
   s.u0 << body.v, body.w;
   s.momentum << body.mass * body.v, R0 * (body.inertia_O * (R0.transpose() * body.w));
   const double grown = 1 + reach * s.drag;
   s.mass.topLeftCorner<3, 3>().diagonal().setConstant(grown * body.mass);
-  s.mass.bottomRightCorner<3, 3>() = grown * (s.R * body.inertia_O * s.R.transpose());
+  s.mass.bottomRightCorner<3, 3>() =
+      DEFECT(support_turns_freely, grown, 1.0) * (s.R * body.inertia_O * s.R.transpose());
   s.rest = s.momentum + reach * s.external;
   s.rest.head<3>() -= grown * body.mass * body.v;
   s.rest.tail<3>() -= s.mass.bottomRightCorner<3, 3>() * body.w;
@@ -86,7 +89,8 @@ void move(RigidBody& body, const BodyStep& step, const Scheme& scheme) {
     const double T0 = 0.5 * L0.dot(body.w);
     if (!turn.isZero(0)) body.X_WO.R = (rotation_by(turn) * body.X_WO.R).normalized();
     // Where contacts act, they rely on the turn that they were solved with.
-    if ((L - L0).norm() <= 1e-13 * L.norm()) keep_energy(body, L, T0, turn.norm());
+    if ((L - L0).norm() <= 1e-13 * L.norm())
+      keep_energy(body, L, DEFECT(free_spin_drifts, T0, 1.0001 * T0), turn.norm());
     const Eigen::Matrix3d R = body.X_WO.R.toRotationMatrix();
     body.w = R * (body.inverse_inertia_O * (R.transpose() * momentum.tail<3>()));
   }

@@ -7,6 +7,8 @@
 
 #include <Eigen/Geometry>
 
+#include "cases/model/defect.hpp"
+
 namespace handhold::realtime {
 namespace {
 
@@ -16,14 +18,15 @@ using Eigen::Vector3d;
 /// stop the body, and nothing found from there would be near the solution.
 bool touches_sliding(const Slider& slider, Mode mode, const Friction& friction) {
   const Trial& t = slider.at_rest;
-  return mode == Mode::apart && t.t_norm > friction.mu_static * std::max(t.N, 0.0);
+  return mode == Mode::apart &&
+         t.t_norm > DEFECT(first_touch_at_mu_d, friction.mu_static, friction.mu_dynamic) * std::max(t.N, 0.0);
 }
 
 /// Rate of what a damper feels. Along the normal, one that comes in from outside begins at the surface: its impulse
 /// over the step is that of the way inside, c d. So there is no force before the surface is reached.
 Vector3d rate(const Slider& slider, const SampleStep& sample, const Scheme& scheme) {
   const Vector3d start = sample.reach - scheme.reach() * sample.v;
-  if (!slider.entering || start.dot(sample.n) <= 0) return sample.v;
+  if (DEFECT(damper_pushes_before_touch, !slider.entering, true) || start.dot(sample.n) <= 0) return sample.v;
   return sample.v + (sample.reach / scheme.reach() - sample.v).dot(sample.n) * sample.n;
 }
 
@@ -33,7 +36,9 @@ bool break_away(Island& island) {
   for (const PatchStep& p : island.patches)
     for (int i = p.first_slider; i < p.first_slider + p.slider_count; ++i) {
       Slider& s = island.sliders[std::size_t(i)];
-      if (s.sliding || s.trial.N <= 0 || s.trial.t_norm <= p.friction.mu_static * s.trial.N) continue;
+      if (s.sliding || s.trial.N <= 0 ||
+          s.trial.t_norm <= DEFECT(breaks_away_at_mu_d, p.friction.mu_static, p.friction.mu_dynamic) * s.trial.N)
+        continue;
       s.sliding = any = true;
     }
   return any;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cases/model/defect.hpp"
 #include "realtime/world.hpp"
 
 // One step of one island: what its samples are given, the solve, and what comes of it.
@@ -89,7 +90,8 @@ void World::prepare_patches(PatchStep& p, const Scheme& scheme) {
   const double k = contact.stiffness, c = contact.damping;
   p.stiffness = {k, c, k * scheme.reach() + c, k * scheme.lead() + c};
   const Friction& friction = source(p.target).friction;
-  p.friction = p.source < 0 ? friction : combined(friction, source(p.source).friction);
+  p.friction =
+      p.source < 0 ? friction : DEFECT(pair_friction_of_one, combined(friction, source(p.source).friction), friction);
   const BodyStep& target = steps_[std::size_t(p.target)];
   if (p.source >= 0) p.offset = target.center - steps_[std::size_t(p.source)].center;
   p.watches = false;
@@ -180,7 +182,9 @@ Vector3d World::free_end(const PatchStep& p, const SlotStep& step, std::size_t s
   const BodyStep& target = steps_[std::size_t(p.target)];
   const RigidBody& body = bodies_[std::size_t(p.target)];
   Vector3d fall = -free_change(body, target, scheme);
-  if (p.source >= 0) fall += free_change(bodies_[std::size_t(p.source)], steps_[std::size_t(p.source)], scheme);
+  if (p.source >= 0)
+    fall += DEFECT(own_fall_unforeseen, 1.0, 0.0) *
+            free_change(bodies_[std::size_t(p.source)], steps_[std::size_t(p.source)], scheme);
   const Vector3d x = step.motion.R * contacts_.p_P[slot];
   const Vector3d v = step.motion.W * x + step.motion.u;
   const Vector3d end = x + step.motion.t + (scheme.h - scheme.place()) * v + scheme.h / scheme.theta * fall;
@@ -295,7 +299,8 @@ void World::finish_slider(const PatchStep& p, const Slider& s, const Scheme& sch
     stretch = (lag_after_sliding(s.element, s.tangent, before) - before) / scheme.reach();
     slip(p, s, reach + (scheme.h - scheme.reach()) * v, scheme.h * (s.trial.v_t - stretch));
   }
-  dissipated_ += scheme.h * s.element.damping * (closing * closing + stretch.squaredNorm());
+  dissipated_ +=
+      scheme.h * DEFECT(damper_warms_nothing, s.element.damping, 0.0) * (closing * closing + stretch.squaredNorm());
   if (p.source < 0) {
     book_hand(p.target, s.f.dot(v), s.f, s.arm.cross(s.f), scheme);
     if (s.entering) book_appearance(s, reach - scheme.reach() * v);
@@ -311,9 +316,9 @@ void World::slip(const PatchStep& p, const Slider& s, const Vector3d& reach, con
   contacts_.from_O.set(s.slot, anchor.C_O);
   contacts_.from_n_O.set(s.slot, anchor.n_O);
   if (!slide(*source(p.target).field, anchor.C_O + R_OW * reach, R_OW * step, anchor)) slid_off_.push_back(s.slot);
-  contacts_.C_O.set(s.slot, anchor.C_O);
-  contacts_.n_O.set(s.slot, anchor.n_O);
-  dissipated_ += s.tangent.dot(step);
+  contacts_.C_O.set(s.slot, DEFECT(anchor_kept_through_slide, anchor.C_O, contacts_.C_O[s.slot]));
+  contacts_.n_O.set(s.slot, DEFECT(stale_normal, anchor.n_O, contacts_.n_O[s.slot]));
+  dissipated_ += DEFECT(slip_warms_nothing, s.tangent.dot(step), 0.0);
 }
 
 }  // namespace handhold::realtime

@@ -3,6 +3,8 @@
 
 #include <Eigen/Geometry>
 
+#include "cases/model/defect.hpp"
+
 namespace handhold::reference::rigid {
 
 Motion motion_of(const BodyState& body) {
@@ -18,7 +20,7 @@ ContactPoint contact_point(const RigidSupport& support, double t, const Motion& 
   c.gap = near.distance - support.radius;
   c.gap_rate = near.normal.dot(body.v + body.w.cross(rho) - s.v - turn.w.cross(body.p + rho - s.p));
   c.normal = near.normal;
-  c.arm = rho - support.radius * near.normal;
+  c.arm = rho - DEFECT(ball_touches_at_its_centre, support.radius, 0.0) * near.normal;
   c.surface_velocity = s.v + turn.w.cross(body.p + c.arm - s.p);
   c.velocity = body.v + body.w.cross(c.arm) - c.surface_velocity;
   c.slip = c.velocity - c.normal * c.normal.dot(c.velocity);
@@ -37,9 +39,11 @@ ContactRates contact_rates(const RigidSupport& support, double t, const Motion& 
   const Eigen::Vector3d approach = body.v + rho_rate - s.v - turn.w.cross(from);
   const Eigen::Vector3d bend = near.curvature * approach;
   const Eigen::Vector3d arm = rho - support.radius * near.normal;
-  const Eigen::Vector3d arm_rate = rho_rate - support.radius * (bend + turn.w.cross(near.normal));
+  const Eigen::Vector3d arm_rate =
+      rho_rate - DEFECT(ball_rolls_on_a_plane, support.radius, 0.0) * (bend + turn.w.cross(near.normal));
   const Eigen::Vector3d center = a + angular_acceleration.cross(rho) + body.w.cross(rho_rate);
-  const Eigen::Vector3d carried = turn.alpha.cross(from) + turn.w.cross(turn.w.cross(from) + 2 * approach);
+  const Eigen::Vector3d carried =
+      turn.alpha.cross(from) + turn.w.cross(turn.w.cross(from) + DEFECT(half_of_coriolis, 2, 1) * approach);
   return {near.normal.dot(center - s.a - carried) + approach.dot(bend),
           a + angular_acceleration.cross(arm) + body.w.cross(arm_rate) - s.a - turn.alpha.cross(body.p + arm - s.p) -
               turn.w.cross(body.v + arm_rate - s.v)};

@@ -3,6 +3,7 @@
 
 #include <Eigen/LU>
 
+#include "cases/model/defect.hpp"
 #include "cases/model/rotation.hpp"
 
 namespace handhold::reference::rigid {
@@ -34,11 +35,13 @@ std::optional<Eigen::Vector3d> plastic_impulse(const RigidProblem& problem, cons
   const Eigen::Vector3d& n = point.normal;
   const Eigen::Vector3d full = -K.inverse() * point.velocity;
   const double N = n.dot(full);
-  if (N >= 0 && (full - N * n).norm() <= support.friction.mu_static * N) return full;
+  if (N >= 0 &&
+      (full - N * n).norm() <= DEFECT(blow_sticks_at_mu_d, support.friction.mu_static, support.friction.mu_dynamic) * N)
+    return full;
   const double speed = point.slip.norm();
   if (speed == 0) return std::nullopt;
   const Eigen::Vector3d d = point.slip / speed;
-  const Eigen::Vector3d direction = n - support.friction.mu_dynamic * d;
+  const Eigen::Vector3d direction = n - DEFECT(blow_without_friction, support.friction.mu_dynamic, 0.0) * d;
   const Eigen::Vector3d impulse = -n.dot(point.velocity) / n.dot(K * direction) * direction;
   const Eigen::Vector3d after = point.velocity + K * impulse;
   const double forward = d.dot(after);

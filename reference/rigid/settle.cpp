@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "cases/model/defect.hpp"
+
 namespace handhold::reference::rigid {
 namespace {
 
@@ -133,7 +135,8 @@ std::optional<Modes> settle(const RigidProblem& problem, double t, const std::ve
     if (!directed) continue;
     std::vector<Reaction> reactions = trial(modes);
     if (held_up.empty()) held_up = reactions;
-    if (!align(modes, supports, trial, tolerances.acceleration, reactions)) continue;
+    if (!DEFECT(incipient_slip_unaligned, align(modes, supports, trial, tolerances.acceleration, reactions), true))
+      continue;
     if (consistent(problem, modes, supports, held_up, reactions, tolerances)) return modes;
   }
   return std::nullopt;

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/model/defect.hpp"
 #include "compare/judge/verdict.hpp"
 #include "reports/data/text.hpp"
 
@@ -32,7 +33,7 @@ void add(Tally& tally, const std::string& where, const std::string& name, const 
 void add_gate(Tally& tally, const std::string& where, const compare::Gate& gate, const catalogue::Claim& claim) {
   std::string inside;
   if (!compare::passes(gate)) {
-    ++tally.failed;
+    tally.failed += DEFECT(junit_counts_no_failure, 1U, 0U);
     const std::string text =
         fmt::format("{}\nlimit because: {}\ntruth ({}): {} {}, {}\n", compare::sentence(gate), gate.reason,
                     catalogue::to_string(gate.pedigree), number(claim.truth, 17), claim.unit, claim.source);
@@ -45,7 +46,7 @@ void add_gate(Tally& tally, const std::string& where, const compare::Gate& gate,
 /// Judgements without a gate count as skipped: what nobody asked, and grades, which fail nothing.
 void add_judgement(Tally& tally, const std::string& where, const compare::Judgement& j, const catalogue::Claim& claim) {
   if (j.gate) return add_gate(tally, where, *j.gate, claim);
-  ++tally.skipped;
+  tally.skipped += DEFECT(junit_counts_no_skip, 1U, 0U);
   const std::string why = j.grade ? fmt::format("graded: {}", compare::to_string(*j.grade)) : "not asked: " + j.why_not;
   add(tally, where, fmt::format("{}, {}", claim.quantity, j.engine),
       fmt::format("      <skipped message=\"{}\"/>\n", escape(why)));

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/model/defect.hpp"
 #include "cases/model/input_error.hpp"
 
 namespace handhold {
@@ -49,12 +50,12 @@ const Entries& webxr_entries() {
                                {"thumb-metacarpal", 0},
                                {"thumb-phalanx-proximal", 1},
                                {"thumb-phalanx-distal", 2},
-                               {"thumb-tip", 3},
+                               {"thumb-tip", DEFECT(webxr_tips_swapped, 3, 7)},
                                {"index-finger-metacarpal", unused_joint},
                                {"index-finger-phalanx-proximal", 4},
                                {"index-finger-phalanx-intermediate", 5},
                                {"index-finger-phalanx-distal", 6},
-                               {"index-finger-tip", 7},
+                               {"index-finger-tip", DEFECT(webxr_tips_swapped, 7, 3)},
                                {"middle-finger-metacarpal", unused_joint},
                                {"middle-finger-phalanx-proximal", 8},
                                {"middle-finger-phalanx-intermediate", 9},

@@ -11,6 +11,7 @@
 #include "cases/input/trace/joint_frames.hpp"
 #include "cases/input/trace/source_frame.hpp"
 #include "cases/input/trace/trace_assembler.hpp"
+#include "cases/model/defect.hpp"
 #include "cases/model/input_error.hpp"
 
 namespace handhold {
@@ -18,7 +19,7 @@ namespace {
 
 using nlohmann::json;
 
-const SourceFrame leap_frame{1000, 'y', false};
+const SourceFrame leap_frame{DEFECT(leap_in_centimetres, 1000, 100), 'y', false};
 constexpr int deepest = 8;  // frame, pointables, a pointable, a list in it: more levels are no recording
 
 /// An array of values with the given columns, as the object it stands for. A column is a name, or an object whose one
