@@ -57,7 +57,8 @@ World::World(const WorldDef& def, const Options& options) : scene_(def), options
   steps_.resize(bodies);
   turned_.assign(bodies, 0);
   moved_.assign(bodies, Eigen::Vector3d::Zero());
-  changed_.assign(bodies, Eigen::Vector3d::Zero());
+  pushed_.assign(bodies, Eigen::Vector3d::Zero());
+  foreseen_.assign(bodies, Eigen::Vector3d::Zero());
   jumped_.assign(bodies, 0);
   scheme_.resize(bodies);
   parent_.resize(bodies);

@@ -192,13 +192,14 @@ class World {
   std::uint32_t step_{};
 
   std::vector<BodyStep> steps_;
-  std::vector<double> turned_;            // by body: angle of the last step
-  std::vector<Eigen::Vector3d> changed_;  // ... and change of velocity
-  std::vector<Eigen::Vector3d> moved_;    // ... and way of the centre
-  double last_h_{1};                      // of that step [s]
-  std::vector<std::uint8_t> jumped_;      // by body, of the second order: its next step is Euler's, see Options::order
-  std::vector<Scheme> scheme_;            // by body: of its last step
-  std::vector<int> parent_;               // of a body in its island
+  std::vector<double> turned_;             // by body: angle of the last step
+  std::vector<Eigen::Vector3d> pushed_;    // ... change of velocity that contacts gave
+  std::vector<Eigen::Vector3d> moved_;     // ... and way of the centre
+  std::vector<Eigen::Vector3d> foreseen_;  // by body: velocity at the end of this step, if contacts do what they did
+  double last_h_{1};                       // of that step [s]
+  std::vector<std::uint8_t> jumped_;       // by body, of the second order: its next step is Euler's, see Options::order
+  std::vector<Scheme> scheme_;             // by body: of its last step
+  std::vector<int> parent_;                // of a body in its island
   std::vector<Active> active_;
   std::vector<std::pair<int, int>> members_;  // (island, rank), of every body
   Island island_;

@@ -82,7 +82,7 @@ void World::sweep(double h) {
   for (const int i : hand_pairs_) offer(i, patch(i).hand * phalanx_count + patch(i).phalanx);
 }
 
-/// Boxes that hold what moves during a step: bodies first, phalanges after them.
+/// Boxes that hold what moves during a step: bodies first, phalanges after them. Foresees the bodies' velocities.
 void World::place_boxes(double h) {
   const std::size_t bodies = bodies_.size();
   for (std::size_t i = 0; i < bodies; ++i) {
@@ -92,7 +92,9 @@ void World::place_boxes(double h) {
     const double turn = h * body.w.norm() * body.radius;
     const Eigen::Vector3d half = s.R.cwiseAbs() * (0.5 * bounds.sizes());
     const Eigen::Vector3d start = body.X_WO.p + s.R * bounds.center();
-    const Eigen::Vector3d move = h * (body.v + free_change(body, s, {.h = h}));
+    const Eigen::Vector3d free_v = body.v + free_change(body, s, {.h = h}), move = h * free_v;
+    // Contacts do what they did in the last step: what rests goes on resting.
+    foreseen_[i] = free_v + std::max(h / last_h_, 1.0) * pushed_[i];
     broad_phase_.place(i,
                        box_about(start, start + move, half + Eigen::Vector3d::Constant(turn + touching * body.radius)),
                        move.norm() + turn);
@@ -172,9 +174,7 @@ void World::drop(PatchSlot& p) {
 /// A pair of bodies whose boxes meet.
 void World::watch_pair(int a, int b, double h) {
   const RigidBody &A = bodies_[std::size_t(a)], &B = bodies_[std::size_t(b)];
-  // As fast as at the end of the last step if it changes as it did then: what rests goes on resting.
-  const double longer = std::max(h / last_h_, 1.0);
-  const Eigen::Vector3d v_A = A.v + longer * changed_[std::size_t(a)], v_B = B.v + longer * changed_[std::size_t(b)];
+  const Eigen::Vector3d &v_A = foreseen_[std::size_t(a)], &v_B = foreseen_[std::size_t(b)];
   // A distance changes by no more than the bodies' points there move against each other; the part of a body's turning
   // that moves a point along the line to its nearest point is that of its own surface, within its radius.
   const double coming = h * ((v_A - v_B).norm() + DEFECT(pair_ignores_spin, A.w.norm(), 0.0) * A.radius +

@@ -271,7 +271,7 @@ void World::finish(const Scheme& scheme) {
     move(rigid, s, scheme);
     const Vector6 u = s.velocity();
     moved_[std::size_t(body)] = scheme.h * u.head<3>();
-    changed_[std::size_t(body)] = rigid.v - s.u0.head<3>();
+    pushed_[std::size_t(body)] = rigid.v - s.u0.head<3>() - free_change(rigid, s, {.h = scheme.h});
     turned_[std::size_t(body)] = scheme.h * u.tail<3>().norm();
     scheme_[std::size_t(body)] = scheme;
     book_body(body, scheme);
