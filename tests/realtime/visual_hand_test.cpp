@@ -17,6 +17,7 @@
 #include "cases/input/trace/trace_reader.hpp"
 #include "cases/model/input_error.hpp"
 #include "cases/model/patch.hpp"
+#include "tests/shared_data.hpp"
 
 namespace handhold::realtime {
 namespace {
@@ -215,7 +216,7 @@ struct Depths {
 Depths record(const std::string& name, const Mesh& mesh, FreezeMode mode) {
   Depths deepest;
   const auto field = voxelize(mesh, {.voxel_size = 0.001});
-  const Trace trace = read_trace(std::string(HANDHOLD_SHARED_DATA) + "/traces/leapjs/" + name);
+  const Trace trace = read_trace(test::shared_data("traces/leapjs/" + name));
   const Placement placement = place_in_hand(trace, 0, *field);
   const TraceSpline motion(trace, 0);
   const Pose X_OW = placement.X_WO.inverse();
@@ -248,8 +249,7 @@ Depths record(const std::string& name, const Mesh& mesh, FreezeMode mode) {
 }
 
 TEST(VisualHand, RecordedGraspsAreNotDrawnInsideTheObject) {
-  if (!std::ifstream(HANDHOLD_SHARED_DATA "/traces/leapjs/pinch.json.lz"))
-    GTEST_SKIP() << "the shared data are not here";
+  if (!std::ifstream(test::shared_data("traces/leapjs/pinch.json.lz"))) GTEST_SKIP() << "the shared data are not here";
   for (const char* name : {"pinch.json.lz", "grab.json.lz"}) {
     for (const FreezeMode mode : {FreezeMode::whole_hand, FreezeMode::per_finger}) {
       for (const Mesh& mesh : {make_box({0.03, 0.03, 0.03}), make_cylinder(0.02, 0.06)}) {

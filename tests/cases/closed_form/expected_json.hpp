@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tests/shared_data.hpp"
+
 namespace handhold::testing {
 
 /// One parameter set of the project's list of expected values, which another program computed.
@@ -20,7 +22,7 @@ struct ExpectedSet {
 /// The parameter sets of case `id` in expected.json; empty where the shared data are absent.
 inline std::vector<ExpectedSet> expected_sets(const std::string& id) {
   std::vector<ExpectedSet> sets;
-  std::ifstream file(HANDHOLD_SHARED_DATA "/expected.json");
+  std::ifstream file(test::shared_data("expected.json"));
   if (!file) return sets;
   for (const auto& entry : nlohmann::json::parse(file))
     if (entry.at("id") == id) sets.push_back({entry.at("params"), entry.at("expected")});

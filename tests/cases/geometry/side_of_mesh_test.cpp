@@ -13,6 +13,7 @@
 #include "cases/geometry/voxelizer.hpp"
 #include "cases/input/mesh/mesh_import.hpp"
 #include "tests/cases/geometry/brute_force.hpp"
+#include "tests/shared_data.hpp"
 
 namespace handhold {
 namespace {
@@ -69,7 +70,7 @@ TEST(SideOfMesh, NoVoxelOfAnyShapeDiffers) {
 }
 
 TEST(SideOfMesh, NoVoxelOfRealMeshesDiffers) {
-  const std::filesystem::path folder = HANDHOLD_SHARED_DATA "/meshes";
+  const std::filesystem::path folder = test::shared_data("meshes");
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no folder of real meshes at " << folder;
   for (const char* name : {"mug_grab", "hammer_grab", "toruslarge_grab", "bunny_grab_13cm", "axe_2handed"}) {
     SCOPED_TRACE(name);

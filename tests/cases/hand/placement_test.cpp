@@ -17,6 +17,7 @@
 #include "cases/input/mesh/mesh_import.hpp"
 #include "cases/input/trace/trace_reader.hpp"
 #include "tests/cases/input/expect_input_error.hpp"
+#include "tests/shared_data.hpp"
 
 namespace handhold {
 namespace {
@@ -194,8 +195,8 @@ TEST(Placement, RefusesWrongOptionsAndHands) {
 
 // A real grasp: the mug must be taken by the thumb from one side and by a finger from the other.
 TEST(Placement, PutsAMugIntoARecordedGrab) {
-  const std::string trace = HANDHOLD_SHARED_DATA "/traces/leapjs/grab.json.lz";
-  const std::string mesh = HANDHOLD_SHARED_DATA "/meshes/mug_grab.obj";
+  const std::string trace = test::shared_data("traces/leapjs/grab.json.lz");
+  const std::string mesh = test::shared_data("meshes/mug_grab.obj");
   if (!std::filesystem::exists(trace) || !std::filesystem::exists(mesh))
     GTEST_SKIP() << "no shared data beside the repository";
   const Placement placement = place_in_hand(read_trace(trace), 0, *voxelize(import_mesh(mesh).mesh, {0.0015, 0.006}));

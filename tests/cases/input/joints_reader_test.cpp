@@ -10,6 +10,7 @@
 #include "cases/input/trace/joint_sets.hpp"
 #include "cases/input/trace/trace_reader.hpp"
 #include "tests/cases/input/trace_fixtures.hpp"
+#include "tests/shared_data.hpp"
 
 namespace handhold {
 namespace {
@@ -199,7 +200,7 @@ TEST(ReadTrace, DecidesByContent) {
 
 // A real recording packed by LZString, without its telling name.
 TEST(ReadTrace, KnowsPackedTextByItsContent) {
-  const std::string path = HANDHOLD_SHARED_DATA "/traces/leapjs/grab.json.lz";
+  const std::string path = test::shared_data("traces/leapjs/grab.json.lz");
   if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is absent";
   const test::TemporaryFile file("packed.txt", read_text_file(path));
   EXPECT_EQ(read_trace(file.path()).t.size(), 374u);  // frames of grab.json

@@ -14,6 +14,7 @@
 #include "cases/input/trace/trace_reader.hpp"
 #include "cases/input/trace/trace_summary.hpp"
 #include "tests/cases/input/trace_fixtures.hpp"
+#include "tests/shared_data.hpp"
 
 namespace handhold {
 namespace {
@@ -210,7 +211,7 @@ TEST(LeapReader, WrongKindsOfMembersNeverEscape) {
 // Recordings of real hands, not in the repository (leapmotion/leapjs-playback, Apache-2.0)
 // ------------------------------
 
-std::string recording_path(const std::string& name) { return HANDHOLD_SHARED_DATA "/traces/leapjs/" + name; }
+std::string recording_path(const std::string& name) { return test::shared_data("traces/leapjs/" + name); }
 
 #define SKIP_WITHOUT(path) \
   if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is absent"

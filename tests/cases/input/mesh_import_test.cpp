@@ -12,6 +12,7 @@
 #include "cases/model/input_error.hpp"
 #include "tests/cases/geometry/brute_force.hpp"
 #include "tests/cases/input/mesh_files.hpp"
+#include "tests/shared_data.hpp"
 
 namespace handhold {
 namespace {
@@ -27,7 +28,7 @@ void PrintTo(const Expected& expected, std::ostream* out) { *out << expected.nam
 class RealMesh : public testing::TestWithParam<Expected> {};
 
 TEST_P(RealMesh, IsImportedWithItsVolume) {
-  const std::filesystem::path file = std::string(HANDHOLD_SHARED_DATA "/meshes/") + GetParam().name + ".obj";
+  const std::filesystem::path file = test::shared_data("meshes/") + GetParam().name + ".obj";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "no real mesh at " << file;
   const ImportedMesh imported = import_mesh(file);
   const auto field = voxelize(imported.mesh);
@@ -58,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(Files, RealMesh,
                          [](const auto& mesh) { return mesh.param.name; });
 
 TEST(MeshImport, TeapotIsFlaggedAsPiercingItself) {
-  const std::filesystem::path file = HANDHOLD_SHARED_DATA "/meshes/teapot_grab.obj";
+  const std::filesystem::path file = test::shared_data("meshes/teapot_grab.obj");
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "no real mesh at " << file;
   const ImportedMesh imported = import_mesh(file);
   EXPECT_EQ(imported.repair.intersecting_pairs, 11251u);  // the README's number

@@ -11,6 +11,7 @@
 #include "cases/input/trace/trace_reader.hpp"
 #include "tests/cases/input/sample_joints.hpp"
 #include "tests/cases/input/trace_fixtures.hpp"
+#include "tests/shared_data.hpp"
 
 namespace handhold {
 namespace {
@@ -51,7 +52,7 @@ TEST(TraceDoubts, AGoodHandIsNotDoubted) {
 
 // No false alarm on what trackers really wrote: the eight public recordings of LeapJS and those of a headset.
 TEST(TraceDoubts, RealRecordingsAreNotDoubted) {
-  const std::filesystem::path folder = HANDHOLD_SHARED_DATA "/traces";
+  const std::filesystem::path folder = test::shared_data("traces");
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is absent";
   int files = 0;
   for (const char* kind : {"leapjs", "webxr"}) {

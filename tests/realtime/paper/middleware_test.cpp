@@ -18,6 +18,7 @@
 #include "realtime/paper/host.hpp"
 #include "realtime/paper/voxel_walk.hpp"
 #include "tests/realtime/paper/rig.hpp"
+#include "tests/shared_data.hpp"
 
 // Counts every operator new of the program, so that a frame can be shown to make none.
 namespace {
@@ -246,7 +247,7 @@ struct Recorded {
   std::unique_ptr<TraceSpline> motion{};
 
   Recorded() {
-    const std::string file = std::string(HANDHOLD_SHARED_DATA) + "/traces/leapjs/pinch.json.lz";
+    const std::string file = test::shared_data("traces/leapjs/pinch.json.lz");
     if (!std::ifstream(file)) return;
     const Trace trace = read_trace(file);
     placement = place_in_hand(trace, 0, *field);
