@@ -36,7 +36,8 @@ Vector3d newell_normal(const std::vector<Vector3d>& p) {
 }
 
 // Between the two ways to cut a skew quadrilateral lies a tetrahedron: its area times a third of how far its corners
-// spread along its normal. Other polygons: a bound of the same form.
+// spread along its normal. Other polygons: a bound of the same form. Text has often six digits, so that corners of a
+// plane miss it by a millionth.
 double ambiguity(const std::vector<Vector3d>& p, const Vector3d& area) {
   const double size = area.norm();
   if (p.size() == 3 || !(size > 0)) return 0;
@@ -46,7 +47,7 @@ double ambiguity(const std::vector<Vector3d>& p, const Vector3d& area) {
     low = std::min(low, height);
     high = std::max(high, height);
   }
-  return size * (high - low) / 3;
+  return high - low > 1e-6 * std::sqrt(size) ? size * (high - low) / 3 : 0;
 }
 
 std::vector<std::array<int, 3>> fan(int corners) {

@@ -45,9 +45,9 @@ std::string read_regular_file(const std::filesystem::path& file) {
   struct stat status {};
   if (::fstat(descriptor.number(), &status) != 0) fail("cannot be read", "check its permissions");
   if (S_ISDIR(status.st_mode)) fail("is a folder", "give a file, not a folder");
-  if (!S_ISREG(status.st_mode)) fail("is no regular file but a pipe or device", "copy its content to a file");
-  if (status.st_size == 0) fail("the file is empty", "export it again");
-  if (status.st_size > largest_file) fail(fmt::format("{} MiB, the limit is 512", status.st_size >> 20), "simplify it");
+  if (!S_ISREG(status.st_mode)) fail("is a device or a pipe", "write its content to a file first");
+  if (status.st_size > largest_file)
+    fail(fmt::format("{} MiB, the limit is 512", status.st_size >> 20), "make it smaller");
   std::string bytes(static_cast<std::size_t>(status.st_size), '\0');
   for (std::size_t done = 0; done < bytes.size();) {
     const ssize_t count = ::read(descriptor.number(), bytes.data() + done, bytes.size() - done);

@@ -9,19 +9,16 @@
 
 #include <fmt/format.h>
 
+#include "cases/input/json_input.hpp"
 #include "cases/input/mesh/binary_bytes.hpp"
 #include "cases/input/mesh/text_lines.hpp"
+#include "cases/input/text_encoding.hpp"
 #include "cases/model/input_error.hpp"
 
 namespace handhold {
 namespace {
 
 using Json = GltfDocument::Json;
-
-constexpr int deepest_json = 64;                   // glTF's own members end at 8; extras may go deeper
-constexpr std::size_t most_elements = 15'000'000;  // of an accessor: the corners of 5 million triangles
-
-struct TooDeep {};
 
 // Extensions that cannot change where the triangles are.
 bool is_harmless(const std::string& name) {
@@ -37,11 +34,15 @@ std::string decode_base64(std::string_view text, bool& sound) {
   std::uint32_t bits = 0;
   int count = 0;
   while (!text.empty() && text.back() == '=') text.remove_suffix(1);
+  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::array<std::uint8_t, 256> values;
+  values.fill(64);
+  for (std::size_t d = 0; d < digits.size(); ++d)
+    values[static_cast<unsigned char>(digits[d])] = static_cast<std::uint8_t>(d);
   for (const char c : text) {
-    const std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    const std::size_t digit = digits.find(c);
-    if (digit == std::string_view::npos) sound = false;
-    bits = bits << 6 | static_cast<std::uint32_t>(digit & 63);
+    const std::uint32_t digit = values[static_cast<unsigned char>(c)];
+    if (digit > 63) sound = false;
+    bits = bits << 6 | (digit & 63);
     if ((count += 6) >= 8) bytes.push_back(static_cast<char>(bits >> (count -= 8) & 255));
   }
   return bytes;
@@ -87,39 +88,39 @@ double component(std::string_view bytes, std::size_t at, std::size_t type, bool 
 
 }  // namespace
 
-GltfDocument::GltfDocument(std::string_view bytes, bool binary, const std::string& file) : file_(file) {
-  std::string_view text = bytes;
-  if (binary) {
-    if (bytes.size() < 20 || bytes.substr(0, 4) != "glTF") fail("does not begin with 'glTF'", "is it another format?");
-    const auto version = number_at<std::uint32_t>(bytes, 4), length = number_at<std::uint32_t>(bytes, 8);
-    if (version != 2) fail(fmt::format("is glTF {}", version), "export it as glTF 2.0");
-    if (length != bytes.size())
-      fail(fmt::format("announces {} bytes, has {}", length, bytes.size()), "is it truncated?");
-    const std::size_t json_size = number_at<std::uint32_t>(bytes, 12);
-    if (bytes.substr(16, 4) != "JSON" || json_size > bytes.size() - 20)
-      fail("its first chunk is no JSON of the announced size", "is it damaged?");
-    text = bytes.substr(20, json_size);
-    const std::string_view rest = bytes.substr(20 + json_size);
-    if (rest.size() >= 8 && rest.substr(4, 4) == std::string_view("BIN\0", 4)) {
-      const std::size_t size = number_at<std::uint32_t>(rest, 0);
-      if (size > rest.size() - 8) fail("its binary chunk is larger than the file", "is it truncated?");
-      chunk_ = rest.substr(8, size);
-      has_chunk_ = true;
-    }
-  }
-  try {
-    json_ = Json::parse(text, [](int depth, Json::parse_event_t, Json&) {
-      if (depth > deepest_json) throw TooDeep();
-      return true;
-    });
-  } catch (const TooDeep&) {
-    fail(fmt::format("its JSON is nested more than {} deep", deepest_json), "is it damaged?");
-  } catch (const Json::exception& error) {
-    fail(fmt::format("cannot be read as JSON: {}", printable(error.what())), "is it truncated or damaged?");
-  }
+// The specification allows 3.0 for 3.
+std::size_t whole_number(const Json& value) {
+  const double number = value.is_number() ? value.get<double>() : -1;
+  const bool whole = number >= 0 && number < 9007199254740992.0 && number == std::floor(number);
+  return whole ? static_cast<std::size_t>(number) : no_index;
+}
+
+GltfDocument::GltfDocument(std::string_view bytes, const std::string& file) : file_(file) {
+  const std::string_view text = bytes.substr(0, 4) == "glTF" ? open_glb(bytes) : bytes;
+  json_ = parse_json(plain_text(std::string(text)), file);
   if (!json_.is_object()) fail("its JSON is no object", "is it another format?");
   check_version();
   check_extensions();
+}
+
+// The JSON of a GLB; keeps its binary chunk.
+std::string_view GltfDocument::open_glb(std::string_view bytes) {
+  if (bytes.size() < 20) fail("is a GLB of less than a header", "is it truncated?");
+  const auto version = number_at<std::uint32_t>(bytes, 4), length = number_at<std::uint32_t>(bytes, 8);
+  if (version != 2) fail(fmt::format("is glTF {}", version), "export it as glTF 2.0");
+  if (length > bytes.size() || length < 20)
+    fail(fmt::format("announces {} bytes, has {}", length, bytes.size()), "is it truncated?");
+  bytes = bytes.substr(0, length);
+  const std::size_t json_size = number_at<std::uint32_t>(bytes, 12);
+  if (bytes.substr(16, 4) != "JSON" || json_size > bytes.size() - 20)
+    fail("its first chunk is no JSON of the announced size", "is it damaged?");
+  const std::string_view rest = bytes.substr(20 + json_size), json = bytes.substr(20, json_size);
+  if (rest.size() >= 8 && rest.substr(4, 4) == std::string_view("BIN\0", 4)) {
+    const std::size_t size = number_at<std::uint32_t>(rest, 0);
+    if (size > rest.size() - 8) fail("its binary chunk is larger than the file", "is it truncated?");
+    chunk_ = rest.substr(8, size);
+  }
+  return json.substr(0, json.find_last_not_of('\0') + 1);  // some writers fill up with zeros instead of blanks
 }
 
 void GltfDocument::check_version() const {
@@ -156,7 +157,7 @@ void GltfDocument::load_buffers(const GltfBuffers& external) {
     const auto uri = buffer.find("uri");
     std::string bytes;
     if (uri == buffer.end()) {
-      if (index == 0 && has_chunk_) bytes = chunk_;
+      if (index == 0) bytes = chunk_;
     } else if (const std::string text = uri->is_string() ? uri->get<std::string>() : ""; text.rfind("data:", 0) == 0) {
       const std::size_t start = text.find(";base64,");
       bool sound = start != std::string::npos;
@@ -183,8 +184,16 @@ const Json& GltfDocument::element(const char* name, std::size_t index) const {
 std::size_t GltfDocument::whole(const Json& object, const char* name, std::size_t otherwise) const {
   const auto found = object.is_object() ? object.find(name) : object.end();
   if (found == object.end()) return otherwise;
-  if (found->is_number_unsigned() && found->get<std::uint64_t>() < (1ull << 53)) return found->get<std::size_t>();
+  if (const std::size_t value = whole_number(*found); value != no_index) return value;
   fail(fmt::format("'{}' is no whole number of 0 or more", name), "is it damaged?");
+}
+
+const Json& GltfDocument::object(const Json& object, const char* name) const {
+  static const Json empty = Json::object();
+  const auto found = object.is_object() ? object.find(name) : object.end();
+  if (found == object.end()) return empty;
+  if (!found->is_object()) fail(fmt::format("'{}' is no object", name), "is it damaged?");
+  return *found;
 }
 
 const Json& GltfDocument::list(const Json& object, const char* name) const {
@@ -235,32 +244,35 @@ std::vector<double> GltfDocument::numbers(std::size_t index, const std::string& 
   const std::size_t components = type == "VEC3" ? 3 : 1, count = whole(accessor, "count", no_index);
   const std::size_t kind = whole(accessor, "componentType", no_index),
                     view_index = whole(accessor, "bufferView", no_index);
-  const auto normal = accessor.find("normalized"), sparse = accessor.find("sparse");
+  const auto normal = accessor.find("normalized");
+  const bool sparse = accessor.contains("sparse");
   const bool normalized = normal != accessor.end() && *normal == true;
-  if (accessor.value("type", Json()) != type)
+  if (const auto named = accessor.find("type"); named == accessor.end() || *named != type)
     fail(fmt::format("accessors[{}] is not of type {}", index, type), "is it damaged?");
   if (bytes_of(kind) == 0) fail(fmt::format("accessors[{}] has no known componentType", index), "is it damaged?");
-  if (count > most_elements)
-    fail(fmt::format("accessors[{}] has {} elements, the limit is {}", index, count, most_elements),
-         "simplify the mesh");
+  std::size_t bytes = 0;
+  for (const std::string& buffer : buffers_) bytes += buffer.size();
+  if (count == 0 || count > bytes)
+    fail(fmt::format("accessors[{}] has {} elements, its buffers {} bytes", index, count, bytes), "is it damaged?");
   std::vector<double> values;
   if (view_index != no_index) {
     values = unpack(view(view_index), whole(accessor, "byteOffset", 0), count, components, kind, normalized);
-  } else if (sparse == accessor.end()) {
+  } else if (!sparse) {
     fail(fmt::format("accessors[{}] has no data", index), "is it compressed? export it without");
   } else {
     values.assign(count * components, 0);
   }
-  if (sparse != accessor.end()) apply_sparse(*sparse, components, kind, normalized, values);
+  if (sparse) apply_sparse(object(accessor, "sparse"), components, kind, normalized, values);
   return values;
 }
 
 void GltfDocument::apply_sparse(const Json& sparse, std::size_t components, std::size_t type, bool normalized,
                                 std::vector<double>& values) const {
   const std::size_t count = whole(sparse, "count", no_index);
-  const Json places = sparse.value("indices", Json::object()), contents = sparse.value("values", Json::object());
+  const Json &places = object(sparse, "indices"), &contents = object(sparse, "values");
   const std::size_t place_type = whole(places, "componentType", no_index);
-  if (bytes_of(place_type) == 0) fail("a sparse accessor's indices have no known componentType", "is it damaged?");
+  if (place_type != 5121 && place_type != 5123 && place_type != 5125)
+    fail("a sparse accessor's indices have no known componentType", "is it damaged?");
   const std::vector<double> at =
       unpack(view(whole(places, "bufferView", no_index)), whole(places, "byteOffset", 0), count, 1, place_type, false);
   const std::vector<double> given = unpack(view(whole(contents, "bufferView", no_index)),

@@ -20,7 +20,7 @@ class GltfDocument {
  public:
   using Json = nlohmann::json;
 
-  GltfDocument(std::string_view bytes, bool binary, const std::string& file);
+  GltfDocument(std::string_view bytes, const std::string& file);
 
   [[nodiscard]] const Json& json() const { return json_; }
   [[nodiscard]] std::vector<std::string> external_uris() const;
@@ -30,6 +30,8 @@ class GltfDocument {
   [[nodiscard]] const Json& element(const char* name, std::size_t index) const;
   /// Member `name` of `object` as an index or count; `otherwise` if it is absent.
   [[nodiscard]] std::size_t whole(const Json& object, const char* name, std::size_t otherwise) const;
+  /// The member `name` of `object`, itself an object; an empty one if it is absent.
+  [[nodiscard]] const Json& object(const Json& object, const char* name) const;
   /// The list `name` of `object`; an empty one if it is absent.
   [[nodiscard]] const Json& list(const Json& object, const char* name) const;
   [[nodiscard]] bool uses(const char* extension) const;
@@ -46,6 +48,7 @@ class GltfDocument {
     std::size_t stride;  // 0: tightly packed
   };
 
+  std::string_view open_glb(std::string_view bytes);
   void check_version() const;
   void check_extensions() const;
   [[nodiscard]] Span view(std::size_t index) const;
@@ -57,10 +60,12 @@ class GltfDocument {
   std::string file_;
   Json json_;
   std::string_view chunk_;  // binary chunk of a GLB
-  bool has_chunk_ = false;
   std::vector<std::string> buffers_;
 };
 
 constexpr std::size_t no_index = ~std::size_t{0};
+
+/// `value` as an index or count; `no_index` if it is none.
+[[nodiscard]] std::size_t whole_number(const nlohmann::json& value);
 
 }  // namespace handhold

@@ -15,7 +15,7 @@ using Eigen::Affine3d;
 using Eigen::Vector3d;
 using Json = GltfDocument::Json;
 
-constexpr std::size_t most_triangles = 5'000'000;
+constexpr std::size_t most_triangles = 2'000'000;
 
 class SceneReader {
  public:
@@ -27,7 +27,7 @@ class SceneReader {
     std::vector<std::pair<std::size_t, Affine3d>> waiting;
     const auto add = [&](const Json& list, const Affine3d& X) {
       for (const Json& child : list) {
-        const std::size_t node = child.is_number_unsigned() ? child.get<std::size_t>() : no_index;
+        const std::size_t node = whole_number(child);
         if (node >= nodes) document_.fail("a scene or node names a node that does not exist", "is it damaged?");
         // The rule of glTF that makes its nodes trees: without it a few nodes could show a mesh a billion times.
         if (seen[node]) document_.fail(fmt::format("nodes[{}] is named twice as a child", node), "is it damaged?");
@@ -45,10 +45,12 @@ class SceneReader {
       const Json& node = document_.element("nodes", index);
       const Affine3d X = parent * transform(node, index);
       if (const std::size_t mesh = document_.whole(node, "mesh", no_index); mesh != no_index) add_mesh(mesh, X);
-      if (node.contains("skin")) skinned_ = true;
+      if (document_.object(node, "extensions").contains("EXT_mesh_gpu_instancing"))
+        document_.fail("extension EXT_mesh_gpu_instancing is not supported", "export each instance as a node");
+      if (node.contains("skin") || node.contains("weights")) posed_ = true;
       add(document_.list(node, "children"), X);
     }
-    if (skinned_) soup_.warnings.emplace_back("it has a skeleton: taken in the pose its vertices were modelled in");
+    if (posed_) soup_.warnings.emplace_back("it has a skeleton or morph targets: taken as its vertices were modelled");
     return std::move(soup_);
   }
 
@@ -91,21 +93,19 @@ class SceneReader {
     for (const Json& primitive : document_.list(document_.element("meshes", mesh), "primitives")) {
       const std::size_t mode = document_.whole(primitive, "mode", 4);
       if (mode > 6) document_.fail(fmt::format("a primitive has mode {}", mode), "is it damaged?");
-      const Json attributes = primitive.value("attributes", Json::object());
-      const std::size_t accessor = document_.whole(attributes, "POSITION", no_index);
+      const std::size_t accessor = document_.whole(document_.object(primitive, "attributes"), "POSITION", no_index);
       if (mode < 4 || accessor == no_index) {
         ++soup_.dropped;
+        check_total();
         continue;
       }
-      refuse_compression(primitive);
+      refuse_compression(primitive, accessor);
       add_triangles(points(accessor, X), indices(primitive), mode, X.linear().determinant() < 0);
     }
   }
 
-  void refuse_compression(const Json& primitive) const {
-    const Json extensions = primitive.value("extensions", Json::object());
-    if (!extensions.contains("KHR_draco_mesh_compression")) return;
-    const std::size_t accessor = document_.whole(primitive["attributes"], "POSITION", no_index);
+  void refuse_compression(const Json& primitive, std::size_t accessor) const {
+    if (!document_.object(primitive, "extensions").contains("KHR_draco_mesh_compression")) return;
     if (document_.element("accessors", accessor).contains("bufferView")) return;
     document_.fail("extension KHR_draco_mesh_compression is not supported", "export it without, uncompressed");
   }
@@ -124,7 +124,7 @@ class SceneReader {
   }
 
   void check_total() const {
-    if (soup_.ends.size() <= most_triangles && soup_.points.size() <= 3 * most_triangles) return;
+    if (soup_.ends.size() + soup_.dropped <= most_triangles && soup_.points.size() <= 3 * most_triangles) return;
     document_.fail(fmt::format("shows more than {} triangles", most_triangles), "simplify the mesh");
   }
 
@@ -159,17 +159,17 @@ class SceneReader {
 
   const GltfDocument& document_;
   PolygonSoup soup_;
-  bool skinned_ = false;
+  bool posed_ = false;
 };
 
 }  // namespace
 
-std::vector<std::string> external_buffers(std::string_view bytes, bool binary, const std::string& file) {
-  return GltfDocument(bytes, binary, file).external_uris();
+std::vector<std::string> external_buffers(std::string_view bytes, const std::string& file) {
+  return GltfDocument(bytes, file).external_uris();
 }
 
-PolygonSoup parse_gltf(std::string_view bytes, bool binary, const GltfBuffers& buffers, const std::string& file) {
-  GltfDocument document(bytes, binary, file);
+PolygonSoup parse_gltf(std::string_view bytes, const GltfBuffers& buffers, const std::string& file) {
+  GltfDocument document(bytes, file);
   document.load_buffers(buffers);
   return SceneReader(document).run();
 }

@@ -29,13 +29,12 @@ namespace handhold {
 /// The bytes of a glTF's external buffers, by their URI.
 using GltfBuffers = std::map<std::string, std::string>;
 
-/// URIs of the buffers that are files of their own. `binary`: GLB.
-[[nodiscard]] std::vector<std::string> external_buffers(std::string_view bytes, bool binary, const std::string& file);
+/// URIs of the buffers that are files of their own.
+[[nodiscard]] std::vector<std::string> external_buffers(std::string_view bytes, const std::string& file);
 
-/// glTF 2.0: the triangles of its scene, each mesh as often as a node shows it, with the nodes' transforms. Compressed
-/// geometry and every required extension that could change it is refused by name; KHR_mesh_quantization is decoded.
-/// At most 5 million triangles.
-[[nodiscard]] PolygonSoup parse_gltf(std::string_view bytes, bool binary, const GltfBuffers& buffers,
-                                     const std::string& file);
+/// glTF 2.0, as JSON or GLB: the triangles of its scene, each mesh as often as a node shows it, with the nodes'
+/// transforms. Compressed geometry and every required extension that could change it is refused by name;
+/// KHR_mesh_quantization is decoded. At most 2 million triangles.
+[[nodiscard]] PolygonSoup parse_gltf(std::string_view bytes, const GltfBuffers& buffers, const std::string& file);
 
 }  // namespace handhold

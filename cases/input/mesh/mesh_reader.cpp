@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <limits>
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -22,6 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using Eigen::Vector3d;
 
+constexpr std::size_t most_corners = 100'000;  // of one face: to cut it takes half a kilobyte a corner
 constexpr std::size_t largest_total = std::size_t{512} << 20;
 
 [[noreturn]] void fail(const fs::path& file, const std::string& rule, const std::string& advice) {
@@ -55,7 +55,7 @@ PolygonSoup parse(const MeshFile& file) {
   if (file.extension == ".off") return parse_off(file.bytes, name);
   if (file.extension == ".stl") return parse_stl(file.bytes, name);
   if (file.extension == ".ply") return parse_ply(file.bytes, name);
-  return parse_gltf(file.bytes, file.extension == ".glb", file.buffers, name);
+  return parse_gltf(file.bytes, file.buffers, name);
 }
 
 struct Cut {
@@ -82,21 +82,24 @@ void add_polygon(const PolygonSoup& soup, std::size_t begin, std::size_t end, Me
 std::vector<std::string> remarks(const Cut& cut, const Mesh& mesh) {
   std::vector<std::string> out;
   const double volume = std::abs(solid_properties(mesh).volume);
-  if (cut.ambiguity > 1e-3 * volume) {
+  if (volume > 0 && cut.ambiguity > 1e-3 * volume) {
     out.push_back(
         fmt::format("{} faces are not planar: cut along other diagonals the volume differs by up to {:.3g} % "
                     "(cut them into triangles in a mesh editor)",
-                    cut.skew, 100 * cut.ambiguity / std::max(volume, std::numeric_limits<double>::min())));
+                    cut.skew, 100 * cut.ambiguity / volume));
   }
   if (cut.crossed > 0)
     out.push_back(fmt::format("{} faces cross themselves (cut them into triangles in a mesh editor)", cut.crossed));
   return out;
 }
 
-Mesh triangulated(PolygonSoup soup, Cut& cut) {
+Mesh triangulated(PolygonSoup soup, const fs::path& file, Cut& cut) {
   Mesh mesh;
   std::size_t begin = 0;
   for (const std::size_t end : soup.ends) {
+    if (end - begin > most_corners)
+      fail(file, fmt::format("face of {} corners, the limit is {}", end - begin, most_corners),
+           "cut it into triangles");
     add_polygon(soup, begin, end, mesh, cut);
     begin = end;
   }
@@ -104,15 +107,15 @@ Mesh triangulated(PolygonSoup soup, Cut& cut) {
   return mesh;
 }
 
-void check(const Mesh& mesh, const fs::path& file, double scale) {
-  Eigen::AlignedBox3d bounds;
-  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-    if (!mesh.vertices[v].allFinite()) fail(file, fmt::format("vertex {} is not finite", v), "correct the file");
-    bounds.extend(mesh.vertices[v]);
+// Before anything is computed from the coordinates. Vertices that no face names do not count for the size.
+void check_size(const PolygonSoup& soup, const fs::path& file, double scale) {
+  for (std::size_t v = 0; v < soup.points.size(); ++v) {
+    if (!(scale * soup.points[v].cwiseAbs().maxCoeff() < 1e30))
+      fail(file, fmt::format("vertex {} lies beyond 1e30 m", v), "correct the file");
   }
-  if (mesh.triangles.size() < 4)
-    fail(file, fmt::format("{} triangles, a solid has at least 4", mesh.triangles.size()), "give a closed mesh");
-  const double extent = bounds.sizes().maxCoeff();
+  Eigen::AlignedBox3d bounds;
+  for (const int corner : soup.corners) bounds.extend(soup.points[static_cast<std::size_t>(corner)]);
+  const double extent = soup.corners.empty() ? 0 : scale * bounds.sizes().maxCoeff();
   if (extent > 1e-9 && extent < 1e3) return;
   fail(file, fmt::format("{:g} m across at scale {:g}: must lie between 1e-9 and 1000 m", extent, scale),
        extent < 1 ? "set the scale" : "is it in millimetres? --scale 0.001");
@@ -124,10 +127,11 @@ MeshFile read_mesh_file(const fs::path& path) {
   MeshFile file;
   file.path = path;
   file.bytes = read_regular_file(path);
+  if (file.bytes.empty()) fail(path, "the file is empty", "export it again");
   file.extension = lower_extension(path);
   if (file.extension != ".gltf" && file.extension != ".glb") return file;
   std::size_t total = file.bytes.size();
-  for (const std::string& uri : external_buffers(file.bytes, file.extension == ".glb", path.string())) {
+  for (const std::string& uri : external_buffers(file.bytes, path.string())) {
     if (file.buffers.count(uri)) continue;
     try {
       total += (file.buffers[uri] = read_regular_file(local_path(path, uri))).size();
@@ -145,12 +149,14 @@ Mesh read_mesh(const MeshFile& file, double scale, std::vector<std::string>* war
   PolygonSoup soup = parse(file);
   std::vector<std::string> said = std::move(soup.warnings);
   if (soup.dropped > 0) said.push_back(fmt::format("{} points and lines were dropped", soup.dropped));
+  check_size(soup, file.path, scale);
   Cut cut;
-  Mesh mesh = triangulated(std::move(soup), cut);
+  Mesh mesh = triangulated(std::move(soup), file.path, cut);
+  if (mesh.triangles.size() < 4)
+    fail(file.path, fmt::format("{} triangles, a solid has at least 4", mesh.triangles.size()), "give a closed mesh");
   weld(mesh, 0);  // most formats give every face its own corners
   for (std::string& remark : remarks(cut, mesh)) said.push_back(std::move(remark));
   for (Vector3d& v : mesh.vertices) v *= scale;
-  check(mesh, file.path, scale);
   if (warnings) warnings->insert(warnings->end(), said.begin(), said.end());
   return mesh;
 }

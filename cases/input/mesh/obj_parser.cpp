@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "cases/input/mesh/mesh_formats.hpp"
 #include "cases/input/mesh/text_lines.hpp"
+#include "cases/input/text_encoding.hpp"
 #include "cases/model/input_error.hpp"
 
 namespace handhold {
@@ -12,8 +13,8 @@ namespace {
 
 class ObjParser {
  public:
-  ObjParser(std::string_view text, const std::string& file)
-      : lines_(text, file, {.comments = true, .continuations = true}), file_(file) {}
+  ObjParser(std::string text, const std::string& file)
+      : text_(std::move(text)), lines_(text_, file, {.comments = true, .continuations = true}), file_(file) {}
 
   PolygonSoup run() && {
     while (lines_.next()) {
@@ -35,6 +36,11 @@ class ObjParser {
   void add_vertex() {
     const double x = lines_.real(), y = lines_.real(), z = lines_.real();
     soup_.points.emplace_back(x, y, z);
+    // One more is a weight, three are a colour.
+    double weight = 1;
+    int more = 0;
+    for (auto word = lines_.word(); !word.empty(); word = lines_.word(), ++more) weight = lines_.real(word);
+    if (more == 1 && weight != 1) lines_.fail(fmt::format("a vertex of weight {:g}", weight), "only 1 is supported");
   }
 
   void add_face() {
@@ -53,6 +59,7 @@ class ObjParser {
     soup_.ends.push_back(soup_.corners.size());
   }
 
+  std::string text_;
   TextLines lines_;
   const std::string& file_;
   PolygonSoup soup_;
@@ -62,6 +69,8 @@ class ObjParser {
 
 }  // namespace
 
-PolygonSoup parse_obj(std::string_view bytes, const std::string& file) { return ObjParser(bytes, file).run(); }
+PolygonSoup parse_obj(std::string_view bytes, const std::string& file) {
+  return ObjParser(plain_text(std::string(bytes)), file).run();
+}
 
 }  // namespace handhold

@@ -11,6 +11,7 @@
 #include "cases/input/mesh/binary_bytes.hpp"
 #include "cases/input/mesh/mesh_formats.hpp"
 #include "cases/input/mesh/text_lines.hpp"
+#include "cases/input/text_encoding.hpp"
 #include "cases/model/input_error.hpp"
 
 namespace handhold {
@@ -69,7 +70,9 @@ class TextValues : public Values {
   void end_element() override {
     if (!take().empty()) fail("the line has more values than the header names", "correct the header or the line");
   }
-  void fail(const std::string& rule, const std::string& advice) const override { lines_.fail(rule, advice); }
+  [[noreturn]] void fail(const std::string& rule, const std::string& advice) const override {
+    lines_.fail(rule, advice);
+  }
 
  private:
   std::string_view take() { return first_.empty() ? lines_.word() : std::exchange(first_, {}); }
@@ -107,7 +110,7 @@ class BinaryValues : public Values {
   }
   void skip(Type type) override { (void)real(type); }
   void end_element() override {}
-  void fail(const std::string& rule, const std::string& advice) const override {
+  [[noreturn]] void fail(const std::string& rule, const std::string& advice) const override {
     throw InputError(
         fmt::format("{}: element {} ('{}'): {} ({})", file_, number_, printable(element_->name), rule, advice));
   }
@@ -127,9 +130,14 @@ class BinaryValues : public Values {
   std::size_t at_ = 0, number_ = 0;
 };
 
+bool is_corners(const Property& property) {
+  return property.count && (property.name == "vertex_indices" || property.name == "vertex_index");
+}
+
 class PlyParser {
  public:
-  PlyParser(std::string_view bytes, const std::string& file) : bytes_(bytes), file_(file), lines_(bytes, file, {}) {}
+  PlyParser(std::string bytes, const std::string& file)
+      : bytes_(std::move(bytes)), file_(file), lines_(bytes_, file, {}) {}
 
   PolygonSoup run() && {
     read_header();
@@ -142,12 +150,12 @@ class PlyParser {
 
  private:
   void read_header() {
-    if (!lines_.next() || lines_.word() != "ply")
+    if (!lines_.next() || lower(lines_.word()) != "ply")
       throw InputError(file_ + ": does not begin with 'ply' (is it another format?)");
-    for (std::string_view key; key != "end_header";) {
+    for (std::string key; key != "end_header";) {
       if (!lines_.next()) lines_.fail("no 'end_header'", "is the file truncated?");
-      key = lines_.word();
-      if (key == "format") format_ = lines_.word();
+      key = lower(lines_.word());
+      if (key == "format") format_ = lower(lines_.word());
       if (key == "element") add_element();
       if (key == "property") add_property();
       const auto known = {"format", "comment", "obj_info", "element", "property", "end_header"};
@@ -159,10 +167,12 @@ class PlyParser {
 
   void add_element() {
     Element element;
-    element.name = lines_.word();
+    element.name = lower(lines_.word());
     const long count = lines_.whole(lines_.word());
-    if (count < 0 || count > static_cast<long>(bytes_.size()))
+    // Every element takes a byte at least; one without properties takes none, but the time to count it.
+    if (count < 0 || count > static_cast<long>(bytes_.size()) - announced_)
       lines_.fail(fmt::format("announces {} elements, more than the file can hold", count), "is it truncated?");
+    announced_ += count;
     element.count = static_cast<std::size_t>(count);
     elements_.push_back(std::move(element));
   }
@@ -170,10 +180,10 @@ class PlyParser {
   void add_property() {
     if (elements_.empty()) lines_.fail("a property before the first element", "is the file damaged?");
     Property property;
-    std::string_view word = lines_.word();
-    if (word == "list") property.count = known_type(lines_.word()), word = lines_.word();
+    std::string word = lower(lines_.word());
+    if (word == "list") property.count = known_type(lower(lines_.word())), word = lower(lines_.word());
     property.type = known_type(word);
-    property.name = lines_.word();
+    property.name = lower(lines_.word());
     elements_.back().properties.push_back(property);
   }
 
@@ -194,7 +204,11 @@ class PlyParser {
         vertices_ += static_cast<long>(element.count);
         if (!has("x") || !has("y") || !has("z")) lines_.fail("its vertices have no x, y and z", "export it again");
       }
-      if (element.name == "face") faces += element.count;
+      if (element.name == "face") {
+        faces += element.count;
+        if (std::none_of(element.properties.begin(), element.properties.end(), is_corners))
+          lines_.fail("its faces have no list vertex_indices", "export it again");
+      }
       if (element.name == "tristrips") lines_.fail("it holds triangle strips", "export it with faces");
     }
     if (vertices_ < 4 || faces < 4) lines_.fail("needs at least 4 vertices and 4 faces", "give a closed mesh");
@@ -229,8 +243,7 @@ class PlyParser {
 
   void read_list(const Element& element, const Property& property, Values& values) {
     const long count = values.whole(*property.count);
-    const bool corners =
-        element.name == "face" && (property.name == "vertex_indices" || property.name == "vertex_index");
+    const bool corners = element.name == "face" && is_corners(property);
     if (count < 0) values.fail(fmt::format("a list of {} values", count), "is the file damaged?");
     if (corners && count == 0) values.fail("a face has no corners", "is the file damaged?");
     for (long i = 0; i < count; ++i) {
@@ -248,17 +261,19 @@ class PlyParser {
     soup_.dropped += count < 3;
   }
 
-  std::string_view bytes_;
+  std::string bytes_;
   const std::string& file_;
   TextLines lines_;
   std::string format_;
   std::vector<Element> elements_;
-  long vertices_ = 0;
+  long announced_ = 0, vertices_ = 0;
   PolygonSoup soup_;
 };
 
 }  // namespace
 
-PolygonSoup parse_ply(std::string_view bytes, const std::string& file) { return PlyParser(bytes, file).run(); }
+PolygonSoup parse_ply(std::string_view bytes, const std::string& file) {
+  return PlyParser(plain_text(std::string(bytes)), file).run();
+}
 
 }  // namespace handhold

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -7,6 +8,7 @@
 #include "cases/input/mesh/binary_bytes.hpp"
 #include "cases/input/mesh/mesh_formats.hpp"
 #include "cases/input/mesh/text_lines.hpp"
+#include "cases/input/text_encoding.hpp"
 #include "cases/model/input_error.hpp"
 
 namespace handhold {
@@ -24,19 +26,19 @@ void end_triangle(PolygonSoup& soup) {
 }
 
 PolygonSoup parse_text(std::string_view bytes, const std::string& file) {
-  TextLines lines(bytes, file, {});
+  const std::string text = plain_text(std::string(bytes));
+  TextLines lines(text, file, {});
   PolygonSoup soup;
   std::size_t corners = 0, opened = 0, closed = 0;
   bool ended = false;
   while (lines.next()) {
     // Some writers put a whole facet on one line.
     for (std::string key = lower(lines.word()); !key.empty(); key = lower(lines.word())) {
+      if (key == "end") key += lower(lines.word());
       if (key == "solid" || key == "endsolid") {
         ended = key == "endsolid";
         break;  // a name of any words follows
       }
-      if (key == "end") ended = lower(lines.word()) == "solid";
-      if (key == "end") break;
       opened += key == "facet";
       closed += key == "endfacet";
       if (key != "vertex") continue;
@@ -63,6 +65,9 @@ PolygonSoup parse_binary(std::string_view bytes, const std::string& file) {
     soup.warnings.push_back(fmt::format("its header counts {} triangles, {} are there", count, room));
     count = room;
   }
+  const std::string_view start = bytes.substr(0, header);
+  if (count > room && std::all_of(start.begin(), start.end(), [](char c) { return c >= '\t' && c <= '~'; }))
+    fail(file, "text that does not begin with 'solid'", "is it another format?");
   if (count > room) {
     fail(file,
          fmt::format("binary STL of the wrong size: {} triangles announced, {} bytes instead of {}", count,
@@ -87,12 +92,10 @@ PolygonSoup parse_binary(std::string_view bytes, const std::string& file) {
 
 bool is_text(std::string_view bytes) {
   if (bytes.size() >= header && bytes.size() == header + record * number_at<std::uint32_t>(bytes, 80)) return false;
-  std::string start = lower(bytes.substr(0, 1000));
-  if (start.rfind("\xEF\xBB\xBF", 0) == 0) start.erase(0, 3);
+  const std::string start = lower(plain_text(std::string(bytes.substr(0, 1000))));
   const std::size_t first = start.find_first_not_of(" \t\r\n");
   if (first == std::string::npos) return false;
-  const bool wide = start[0] == '\xff' || start[0] == '\xfe' || (start[1] == '\0' && start[0] == 's');
-  return wide || (start.compare(first, 5, "solid") == 0 && start.find('\0') == std::string::npos) ||
+  return (start.compare(first, 5, "solid") == 0 && start.find('\0') == std::string::npos) ||
          start.compare(first, 5, "facet") == 0;
 }
 

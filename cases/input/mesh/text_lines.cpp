@@ -24,22 +24,19 @@ std::size_t comment_start(std::string_view line) {
   return line.size();
 }
 
-// A UTF-8 mark is dropped; other encodings are named.
-std::string_view without_mark(std::string_view text, const std::string& file) {
-  const auto begins = [text](std::string_view mark) { return text.substr(0, mark.size()) == mark; };
-  using namespace std::string_view_literals;
-  if (begins("\xEF\xBB\xBF"sv)) return text.substr(3);
-  const bool marked = begins("\xFF\xFE"sv) || begins("\xFE\xFF"sv) || begins("\0\0\xFE\xFF"sv);
-  // Without a mark: every second or fourth byte of plain words is zero.
-  const bool zeros = text.substr(0, 4).find('\0') != std::string_view::npos;
-  if (marked || zeros) throw InputError(file + ": is UTF-16 or UTF-32 text or binary (save it as UTF-8 or plain text)");
-  return text;
+// What from_chars reads knows no plus sign.
+std::string_view without_plus(std::string_view text) {
+  const bool plus = !text.empty() && text[0] == '+' && text.substr(1, 1) != "-";
+  return text.substr(plus);
 }
 
 }  // namespace
 
 TextLines::TextLines(std::string_view text, std::string file, LineRules rules)
-    : rest_(without_mark(text, file)), file_(std::move(file)), rules_(rules) {}
+    : rest_(text), file_(std::move(file)), rules_(rules) {
+  if (text.substr(0, 4).find('\0') != std::string_view::npos)
+    throw InputError(file_ + ": is UTF-32 text or no text at all (save it as UTF-8)");
+}
 
 bool TextLines::take_line() {
   if (rest_.empty()) return false;
@@ -85,7 +82,7 @@ std::string_view TextLines::first_word(const char* what) {
 
 double TextLines::real(std::string_view text) const {
   if (text.empty()) fail("a vertex needs three coordinates", "complete the line");
-  const std::string_view digits = text.substr(text.front() == '+');  // from_chars knows no plus sign
+  const std::string_view digits = without_plus(text);
   double value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   const bool whole_word = end == digits.data() + digits.size();
@@ -97,7 +94,7 @@ double TextLines::real(std::string_view text) const {
 }
 
 long TextLines::whole(std::string_view text) const {
-  const std::string_view digits = text.substr(!text.empty() && text.front() == '+');
+  const std::string_view digits = without_plus(text);
   long value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error != std::errc() || end != digits.data() + digits.size())

@@ -14,9 +14,8 @@ struct LineRules {
 
 /// Walks through the lines and words of a text file and reads its numbers; remembers where it is for messages.
 ///
-/// Lines end with LF, CR LF or CR; a UTF-8 byte order mark is skipped, UTF-16 and UTF-32 are refused by name. A number
-/// is a decimal one in the notation of C, with or without digits before its point; whatever else is in a word is
-/// refused.
+/// The text is what `plain_text` gives; lines end with LF, CR LF or CR. A number is a decimal one in the notation of C,
+/// with or without digits before its point; whatever else is in a word is refused.
 class TextLines {
  public:
   TextLines(std::string_view text, std::string file, LineRules rules);
