@@ -39,7 +39,7 @@ set(packages
   "Simbody|SimTK|simbody"  "^(tests/)?reference/(rigid/)?simbody_[a-z_]+\\.[ch]pp$"
   "CGAL/"                  "^(cases/geometry/cgal_[a-z_]+\\.cpp|tests/cases/(geometry|model|input)/[a-z_]+\\.cpp)$"
   "CLI/"                   "^reports/cli/(handhold|command_[a-z_]+|option_checks)\\.[ch]pp$"
-  "zlib"                   "^(cases/input/gzip|reports/data/deflate|tests/cases/input/hand_dialects_test)\\.cpp$"
+  "zlib"                   "^(cases/input/gzip|reports/data/deflate|tests/cases/input/hand_dialects_test|tests/fuzz/input_kinds)\\.cpp$"
   "toml\\+\\+|toml\\.hpp"  "^cases/input/scene/(scene_file|toml_section)\\.[ch]pp$"
   "ode/|mujoco/|dart/"     "^compare/peers/[a-z_]+\\.cpp$"
   "benchmark/"             "^tests/bench/[a-z_]+\\.[ch]pp$"

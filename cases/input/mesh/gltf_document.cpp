@@ -20,6 +20,8 @@ namespace {
 
 using Json = GltfDocument::Json;
 
+constexpr std::size_t most_elements = 6'000'000;  // the corners of 2 million triangles
+
 // Extensions that cannot change where the triangles are.
 bool is_harmless(const std::string& name) {
   const auto families = {"KHR_materials_", "KHR_texture_", "EXT_texture_", "MSFT_texture_", "KHR_lights_",
@@ -254,6 +256,9 @@ std::vector<double> GltfDocument::numbers(std::size_t index, const std::string& 
   for (const std::string& buffer : buffers_) bytes += buffer.size();
   if (count == 0 || count > bytes)
     fail(fmt::format("accessors[{}] has {} elements, its buffers {} bytes", index, count, bytes), "is it damaged?");
+  if (count > most_elements)
+    fail(fmt::format("accessors[{}] has {} elements, the limit is {}", index, count, most_elements),
+         "simplify the mesh");
   std::vector<double> values;
   if (view_index != no_index) {
     values = unpack(view(view_index), whole(accessor, "byteOffset", 0), count, components, kind, normalized);

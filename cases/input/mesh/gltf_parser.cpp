@@ -123,8 +123,8 @@ class SceneReader {
     return first;
   }
 
-  void check_total() const {
-    if (soup_.ends.size() + soup_.dropped <= most_triangles && soup_.points.size() <= 3 * most_triangles) return;
+  void check_total(std::size_t more = 0) const {
+    if (soup_.ends.size() + soup_.dropped + more <= most_triangles && soup_.points.size() <= 3 * most_triangles) return;
     document_.fail(fmt::format("shows more than {} triangles", most_triangles), "simplify the mesh");
   }
 
@@ -146,6 +146,7 @@ class SceneReader {
       return static_cast<int>(first + static_cast<std::size_t>(index));
     };
     const std::size_t triangles = mode == 4 ? count / 3 : count - std::min<std::size_t>(count, 2);
+    check_total(triangles);
     for (std::size_t t = 0; t < triangles; ++t) {
       std::array<std::size_t, 3> at = {3 * t, 3 * t + 1, 3 * t + 2};  // triangle by triangle
       if (mode == 5) at = {t, t + 1 + t % 2, t + 2 - t % 2};          // strip
@@ -154,7 +155,6 @@ class SceneReader {
       for (const std::size_t i : at) soup_.corners.push_back(corner(i));
       soup_.ends.push_back(soup_.corners.size());
     }
-    check_total();
   }
 
   const GltfDocument& document_;

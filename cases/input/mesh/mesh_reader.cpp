@@ -109,13 +109,14 @@ Mesh triangulated(PolygonSoup soup, const fs::path& file, Cut& cut) {
 
 // Before anything is computed from the coordinates. Vertices that no face names do not count for the size.
 void check_size(const PolygonSoup& soup, const fs::path& file, double scale) {
+  if (soup.ends.empty()) fail(file, "there are no faces in it", "give a closed mesh");
   for (std::size_t v = 0; v < soup.points.size(); ++v) {
     if (!(scale * soup.points[v].cwiseAbs().maxCoeff() < 1e30))
       fail(file, fmt::format("vertex {} lies beyond 1e30 m", v), "correct the file");
   }
   Eigen::AlignedBox3d bounds;
   for (const int corner : soup.corners) bounds.extend(soup.points[static_cast<std::size_t>(corner)]);
-  const double extent = soup.corners.empty() ? 0 : scale * bounds.sizes().maxCoeff();
+  const double extent = scale * bounds.sizes().maxCoeff();
   if (extent > 1e-9 && extent < 1e3) return;
   fail(file, fmt::format("{:g} m across at scale {:g}: must lie between 1e-9 and 1000 m", extent, scale),
        extent < 1 ? "set the scale" : "is it in millimetres? --scale 0.001");

@@ -52,6 +52,8 @@ class Values {
   virtual long whole(Type type) = 0;
   virtual void skip(Type type) = 0;
   virtual void end_element() = 0;
+  /// Bytes that no element claims.
+  [[nodiscard]] virtual std::size_t rest() const = 0;
   [[noreturn]] virtual void fail(const std::string& rule, const std::string& advice) const = 0;
 };
 
@@ -69,6 +71,9 @@ class TextValues : public Values {
   }
   void end_element() override {
     if (!take().empty()) fail("the line has more values than the header names", "correct the header or the line");
+  }
+  [[nodiscard]] std::size_t rest() const override {
+    return lines_.rest().find_first_not_of(" \t\r\n") == std::string_view::npos ? 0 : lines_.rest().size();
   }
   [[noreturn]] void fail(const std::string& rule, const std::string& advice) const override {
     lines_.fail(rule, advice);
@@ -110,6 +115,7 @@ class BinaryValues : public Values {
   }
   void skip(Type type) override { (void)real(type); }
   void end_element() override {}
+  [[nodiscard]] std::size_t rest() const override { return bytes_.size() - at_; }
   [[noreturn]] void fail(const std::string& rule, const std::string& advice) const override {
     throw InputError(
         fmt::format("{}: element {} ('{}'): {} ({})", file_, number_, printable(element_->name), rule, advice));
@@ -145,6 +151,8 @@ class PlyParser {
     for (const Element& element : elements_) {
       for (std::size_t i = 0; i < element.count; ++i) read(element, *values);
     }
+    if (const std::size_t rest = values->rest(); rest > 0)
+      soup_.warnings.push_back(fmt::format("{} bytes after its last element were passed over", rest));
     return std::move(soup_);
   }
 

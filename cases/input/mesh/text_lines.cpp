@@ -16,10 +16,17 @@ namespace {
 
 constexpr std::string_view blanks = " \t\v\f";
 
-// Where the comment of a line begins. "1.#QNAN" is how some compilers print what is not a number, and no comment.
+// "1.#QNAN", "1.#INF" and the like are how some compilers print what is not a finite number.
+bool is_broken_number(std::string_view line, std::size_t hash) {
+  const std::string rest = lower(line.substr(hash + 1, 4));
+  return hash >= 2 && line.substr(hash - 2, 2) == "1." &&
+         (rest == "qnan" || rest == "snan" || rest.substr(0, 3) == "inf" || rest.substr(0, 3) == "ind");
+}
+
+// Where the comment of a line begins.
 std::size_t comment_start(std::string_view line) {
   for (std::size_t at = line.find('#'); at != std::string_view::npos; at = line.find('#', at + 1)) {
-    if (at < 2 || line.substr(at - 2, 2) != "1.") return at;
+    if (!is_broken_number(line, at)) return at;
   }
   return line.size();
 }
