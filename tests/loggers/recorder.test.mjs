@@ -11,7 +11,7 @@ const page = new URL('../../docs/recorder/index.html', import.meta.url).href;
 test('both hands of a session are saved and read', () => onHeadset(page, async (tab, folder) => {
   await assertAccessible(tab);
   await tab.click('#start');
-  await tab.waitForFunction(() => recording.lines.length > 60);
+  await tab.waitForFunction(() => recording.lines.length > 60, undefined, { timeout: 120000 });
   await tab.evaluate(() => device.activeSession.end());
   const download = tab.waitForEvent('download');
   await tab.click('#save');
