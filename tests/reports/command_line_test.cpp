@@ -70,7 +70,7 @@ TEST_P(Help, ExitsWithZeroAndShowsExamples) {
 INSTANTIATE_TEST_SUITE_P(Every, Help,
                          testing::Values("--help", "list --help", "suite --help", "run --help", "voxelize --help",
                                          "trace --help", "trace info --help", "trace convert --help", "engines --help",
-                                         "export --help", "judge-log --help"));
+                                         "export --help", "judge-log --help", "merge --help"));
 
 class BadInput : public CommandLine, public testing::WithParamInterface<const char*> {};
 
@@ -111,7 +111,9 @@ INSTANTIATE_TEST_SUITE_P(
                     "export", "export C99", "export C01", "judge", "judge missing", "judge .", "engines check",
                     "engines check true", "suite --engine mine", "suite --engine mine=true", "judge-log",
                     "judge-log missing", "judge-log empty", "judge-log noise.json", "judge-log .",
-                    "judge-log noise.json --engine bullet"));
+                    "judge-log noise.json --engine bullet", "suite --only C01 --shard 3/2",
+                    "suite --only C01 --shard 0/2", "suite --only C01 --shard 1/2x", "merge", "merge missing",
+                    "merge ."));
 
 TEST_F(CommandLine, ListsWhatThereIs) {
   const Result cases = run("list");
@@ -145,6 +147,19 @@ TEST_F(CommandLine, SuiteWritesAReportThatAgreesWithItsExitCode) {
 }
 
 // With one step a frame some limits, which are asymptotic, do not hold yet.
+TEST_F(CommandLine, PartsMergeToTheBytesOfOneRun) {
+  const std::string suite = "suite --only C01 --engines realtime --no-order --no-variants ";
+  ASSERT_EQ(run(suite + "--out whole").exit_code, 0);
+  for (const char* part : {"1", "2", "3", "4"}) {  // of three runs: one part is empty
+    const Result played = run(suite + "--shard " + part + "/4 --out " + part);
+    EXPECT_EQ(played.exit_code, 0) << played.out << played.error;
+  }
+  EXPECT_EQ(run("merge 1 2 4 --out merged").exit_code, 2);
+  const Result merged = run("merge 4 2 1 3 --out merged");
+  EXPECT_EQ(merged.exit_code, 0) << merged.out << merged.error;
+  EXPECT_EQ(read(root / "merged/results.json"), read(root / "whole/results.json"));
+}
+
 TEST_F(CommandLine, AFailedGateGivesExitCodeOne) {
   const Result result = run("suite --only C09,D13,G02 --no-order --substeps 1 --out report");
   EXPECT_EQ(result.exit_code, 1) << result.error;
