@@ -4,15 +4,17 @@
 cmake_minimum_required(VERSION 3.25)
 
 set(count 0)
-foreach(folder IN ITEMS cases realtime reference compare reports tests cmake)
+foreach(folder IN ITEMS cases realtime reference compare reports tests cmake docs)
   file(GLOB_RECURSE files RELATIVE "${ROOT}" "${ROOT}/${folder}/*.hpp" "${ROOT}/${folder}/*.cpp" "${ROOT}/${folder}/*.h"
     "${ROOT}/${folder}/*.c" "${ROOT}/${folder}/*.cmake" "${ROOT}/${folder}/*CMakeLists.txt" "${ROOT}/${folder}/*.py"
-    "${ROOT}/${folder}/*.ts" "${ROOT}/${folder}/*.tsx" "${ROOT}/${folder}/*.mjs")
+    "${ROOT}/${folder}/*.ts" "${ROOT}/${folder}/*.tsx" "${ROOT}/${folder}/*.mjs"
+    "${ROOT}/${folder}/*.js" "${ROOT}/${folder}/*.cs" "${ROOT}/${folder}/*.gd")
   list(FILTER files EXCLUDE REGEX "node_modules/")
   foreach(file IN LISTS files)
-    # What an engine may link: our own code on Eigen. The rest uses libraries under the GPL.
+    # What an engine may link, our own code on Eigen, and what an application copies. The rest uses libraries under the
+    # GPL.
     set(licence "GPL-3.0-or-later")
-    if(file MATCHES "^(cases/model|realtime)/")
+    if(file MATCHES "^(cases/model|realtime|docs/loggers)/")
       set(licence "Apache-2.0")
     endif()
     file(STRINGS "${ROOT}/${file}" lines LIMIT_COUNT 2)

@@ -54,6 +54,11 @@ struct CaseResult {
   std::vector<RunResult> runs{};
 };
 
+/// Every `of`-th run of a suite, beginning with number `index` (from 1): a part that one of several processes plays.
+struct Shard {
+  std::size_t index{1}, of{1};
+};
+
 struct SuiteResult {
   std::vector<EngineInfo> engines{};
   std::vector<CaseResult> cases{};
@@ -61,6 +66,8 @@ struct SuiteResult {
   std::map<std::string, std::string> occasion{};    ///< when, where and how it was run: what they do not hang on
   double seconds{};
   bool interrupted{false};
+  std::optional<Shard> shard{};  ///< what of the suite this is; none: all
+  std::size_t runs{};            ///< of the whole suite
 };
 
 }  // namespace handhold::compare

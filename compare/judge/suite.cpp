@@ -45,9 +45,12 @@ class Work {
   Work(const std::vector<const Case*>& cases, const RunJudge& judge, const SuiteOptions& options,
        const SuiteProgress& progress)
       : judge_(judge), options_(options), progress_(progress) {
+    const Shard shard = options.shard.value_or(Shard{});
     for (const Case* c : cases)
-      for (const Run& run : c->runs)
-        if (options.variants || run.variant.empty()) items_.push_back({c, &run, {}});
+      for (const Run& run : c->runs) {
+        if (!options.variants && !run.variant.empty()) continue;
+        if (runs_++ % shard.of == shard.index - 1) items_.push_back({c, &run, {}});
+      }
   }
 
   void run() {
@@ -61,6 +64,7 @@ class Work {
   }
 
   [[nodiscard]] bool interrupted() const { return stopped_; }
+  [[nodiscard]] std::size_t runs() const { return runs_; }  ///< of all shards
 
   /// The results of the case's runs that were done.
   [[nodiscard]] std::vector<RunResult> take(const Case& c) {
@@ -111,6 +115,7 @@ class Work {
   const SuiteOptions& options_;
   const SuiteProgress& progress_;
   std::vector<Item> items_{};
+  std::size_t runs_{0};
   std::atomic<std::size_t> next_{0}, done_{0};
   std::atomic<bool> stopped_{false};
   std::mutex mutex_{};
@@ -127,7 +132,8 @@ SuiteResult run_suite(const std::vector<const Engine*>& engines, const SuiteOpti
   const std::vector<const Case*> cases = chosen(options);
   Work work(cases, judge, options, progress);
   work.run();
-  SuiteResult result{.engines = judge.engines(), .interrupted = work.interrupted()};
+  SuiteResult result{
+      .engines = judge.engines(), .interrupted = work.interrupted(), .shard = options.shard, .runs = work.runs()};
   for (const Case* c : cases) {
     CaseResult judged{c->id, c->title, c->statement, c->formula, c->note, c->truth_level, c->level, work.take(*c)};
     if (!judged.runs.empty()) result.cases.push_back(std::move(judged));

@@ -16,6 +16,7 @@ struct SuiteOptions {
   std::vector<Level> levels{};                      ///< empty: all
   std::vector<int> study_refinements{2, 4, 8, 16};  ///< of frame and step in the order studies; empty: none
   bool variants{true};                              ///< also runs that are turned, mirrored, reordered
+  std::optional<Shard> shard{};                     ///< the part to play; none: all
   int threads{0};                                   ///< that work side by side; 0: one a core
   bool keep_recordings{false};                      ///< for the page's replay
   bool fail_fast{false};                            ///< stop at the first gate that fails

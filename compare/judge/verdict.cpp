@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/judge/verdict.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -78,10 +77,19 @@ Count count(const SuiteResult& result) {
   return out;
 }
 
-bool passed(const SuiteResult& result) {
-  const Count n = count(result);
-  return !result.interrupted && n.gates > 0 && n.failed == 0;
+Standing standing(const SuiteResult& result) {
+  Standing out{count(result), result.cases.size(), result.interrupted, ""};
+  for (const PlacedGate& g : placed_gates(result)) {
+    if (verdict(*g.gate) != Verdict::fail) continue;
+    out.first_failure = fmt::format("{} ({})", sentence(*g.gate), place(*g.of_case, *g.run));
+    break;
+  }
+  return out;
 }
+
+bool passed(const Standing& s) { return !s.interrupted && s.count.gates > 0 && s.count.failed == 0; }
+
+bool passed(const SuiteResult& result) { return passed(standing(result)); }
 
 std::string headline(const SuiteResult& result) {
   const Count n = count(result);
@@ -91,27 +99,24 @@ std::string headline(const SuiteResult& result) {
   return fmt::format("Passed: {}", plural(n.gates, "gate"));
 }
 
-std::string verdict_sentence(const SuiteResult& result) {
-  const std::vector<PlacedGate> gates = placed_gates(result);
-  const Count n = count(result);
-  const std::string asked = fmt::format("{} of {}", plural(n.gates, "gate"), plural(result.cases.size(), "case"));
+std::string verdict_sentence(const Standing& s) {
+  const Count& n = s.count;
+  const std::string asked = fmt::format("{} of {}", plural(n.gates, "gate"), plural(s.cases, "case"));
   const std::string vacuous = n.vacuous > 0 ? fmt::format("; {} of them {} vacuous (over 100 times what was measured)",
                                                           n.vacuous, n.vacuous == 1 ? "is" : "are")
                                             : "";
   if (n.gates == 0)
-    return result.interrupted ? "Interrupted before any gate was judged."
-                              : "Failed: no gate was judged, and nothing judged is no pass.";
-  const auto first =
-      std::find_if(gates.begin(), gates.end(), [](const PlacedGate& g) { return verdict(*g.gate) == Verdict::fail; });
-  const std::string failure = first == gates.end() ? ""
-                                                   : fmt::format("; first: {} ({})", sentence(*first->gate),
-                                                                 place(*first->of_case, *first->run));
-  if (result.interrupted) {
+    return s.interrupted ? "Interrupted before any gate was judged."
+                         : "Failed: no gate was judged, and nothing judged is no pass.";
+  const std::string failure = s.first_failure.empty() ? "" : "; first: " + s.first_failure;
+  if (s.interrupted) {
     return fmt::format("Interrupted, so this is no pass: of the {} judged until then, {} failed{}.", asked, n.failed,
                        failure);
   }
   if (n.failed > 0) return fmt::format("Failed: {} of the {} did not hold{}.", n.failed, asked, failure);
   return fmt::format("Passed: all {} hold{}.", asked, vacuous);
 }
+
+std::string verdict_sentence(const SuiteResult& result) { return verdict_sentence(standing(result)); }
 
 }  // namespace handhold::compare

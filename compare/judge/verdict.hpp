@@ -43,13 +43,25 @@ struct Count {
 
 [[nodiscard]] Count count(const SuiteResult& result);
 
+/// What a verdict follows from, also of results that were stored.
+struct Standing {
+  Count count{};
+  std::size_t cases{};
+  bool interrupted{};
+  std::string first_failure{};  ///< the first failed gate in words, and its place; empty: none failed
+};
+
+[[nodiscard]] Standing standing(const SuiteResult& result);
+
 /// True when every gate holds, there is at least one, and the run was not interrupted.
+[[nodiscard]] bool passed(const Standing& standing);
 [[nodiscard]] bool passed(const SuiteResult& result);
 
 /// The verdict in few words, for a title: "Failed: 3 of 84 gates".
 [[nodiscard]] std::string headline(const SuiteResult& result);
 
 /// The verdict in one sentence, with the first failed gate in words.
+[[nodiscard]] std::string verdict_sentence(const Standing& standing);
 [[nodiscard]] std::string verdict_sentence(const SuiteResult& result);
 
 }  // namespace handhold::compare

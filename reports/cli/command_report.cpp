@@ -23,17 +23,10 @@ struct ReportCommand {
   std::string out{"handhold-page"};
 };
 
-/// Reports are told apart by their folders.
-std::string name_of(const std::string& given) {
-  const fs::path place = fs::absolute(given).lexically_normal();
-  const fs::path folder = fs::is_directory(place) ? place / "" : place;
-  return folder.parent_path().filename().string();
-}
-
 void execute(const ReportCommand& command) {
   check_report_folder(command.out);
   std::vector<NamedReport> parts;
-  for (const std::string& given : command.results) parts.push_back({name_of(given), read_report(given)});
+  for (const std::string& given : command.results) parts.push_back(read_named_report(given));
   write_stored_report(merged(std::move(parts)), command.out);
   say(fmt::format("report: {}\n", (fs::path(command.out) / "index.html").lexically_normal().string()));
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -7,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "cases/model/input_error.hpp"
 #include "compare/engine/engines.hpp"
 #include "compare/engine/process_engine.hpp"
 #include "compare/judge/suite.hpp"
@@ -18,6 +20,7 @@
 #include "reports/cli/provenance.hpp"
 #include "reports/cli/terminal.hpp"
 #include "reports/data/table.hpp"
+#include "reports/data/text.hpp"
 #include "reports/data/write_report.hpp"
 
 namespace handhold::reports {
@@ -27,6 +30,7 @@ struct SuiteCommand {
   compare::SuiteOptions suite{};
   std::vector<std::string> engines{}, processes{}, levels{};
   bool no_order{}, no_variants{};
+  std::string shard{};
   std::string out{"handhold-report"};
 };
 
@@ -41,6 +45,16 @@ std::vector<std::unique_ptr<compare::Engine>> engines_of(const SuiteCommand& com
   }
   for (const std::string& process : command.processes) out.push_back(compare::process_engine_from(process));
   return out;
+}
+
+/// "2/8".
+compare::Shard shard_of(const std::string& text) {
+  compare::Shard shard;
+  int read = 0;
+  const bool two = std::sscanf(text.c_str(), "%zu/%zu%n", &shard.index, &shard.of, &read) == 2;
+  if (two && std::size_t(read) == text.size() && shard.index >= 1 && shard.index <= shard.of) return shard;
+  throw InputError(
+      fmt::format("--shard {}: is no part of a whole (write 2/8 for the second of eight)", one_line(text)));
 }
 
 Level level_of(const std::string& name) {
@@ -63,13 +77,16 @@ void execute(SuiteCommand command, Invocation& invocation) {
   if (command.no_order) command.suite.study_refinements.clear();
   command.suite.variants = !command.no_variants;
   for (const std::string& name : command.levels) command.suite.levels.push_back(level_of(name));
+  if (!command.shard.empty()) command.suite.shard = shard_of(command.shard);
   command.suite.stop = interrupted;
   command.suite.keep_recordings = true;
   compare::SuiteResult result = run(command);
   result.provenance = provenance(command.suite);
   result.occasion = occasion(invocation.command_line);
-  invocation.exit_code = compare::passed(result) ? exit_good : exit_gate_failed;
-  const bool judged = compare::count(result).gates + compare::count(result).graded > 0;
+  const compare::Count n = compare::count(result);
+  const bool empty_part = result.shard && result.cases.empty() && !result.interrupted;  // more parts than runs
+  invocation.exit_code = compare::passed(result) || empty_part ? exit_good : exit_gate_failed;
+  const bool judged = n.gates + n.graded > 0 || empty_part;
   if (judged) write_report(result, command.out);  // before its table is printed: a closed pipe loses nothing
   fmt::print("{}", text_table(result, {may_colour(1)}));
   if (!judged) return;  // interrupted at once: an earlier report is worth more
@@ -97,6 +114,7 @@ void add_suite(CLI::App& app, Invocation& invocation) {
   command->add_option("--threads", options->suite.threads, "runs side by side; 0: one a core")
       ->check(number_in(0, 1024))
       ->capture_default_str();
+  command->add_option("--shard", options->shard, "part of the runs to play, e.g. 2/8: the second of eight (see merge)");
   command->add_option("--frame-rate", engine.frame_rate, "frames a second [Hz]")
       ->check(number_in(1, 1e4))
       ->capture_default_str();
@@ -115,7 +133,7 @@ void add_suite(CLI::App& app, Invocation& invocation) {
   command->footer(
       "Examples:\n  handhold suite\n  handhold suite --only C01,D02 --out report\n  handhold suite --level L1 "
       "--engines "
-      "rigid\n  handhold suite --substeps 16 --no-order\n"
+      "rigid\n  handhold suite --substeps 16 --no-order\n  handhold suite --shard 2/8 --out part-2\n"
       "Ctrl-C ends it; the runs judged until then are written, and the report says that it is partial.");
   command->callback([options, &invocation] { execute(*options, invocation); });
 }

@@ -32,6 +32,8 @@ void add_converge(CLI::App& app, Invocation& invocation);
 void add_engines(CLI::App& app, Invocation& invocation);
 void add_export(CLI::App& app, Invocation& invocation);
 void add_judge(CLI::App& app, Invocation& invocation);
+void add_judge_log(CLI::App& app, Invocation& invocation);
+void add_merge(CLI::App& app, Invocation& invocation);
 void add_tables(CLI::App& app, Invocation& invocation);
 void add_trace(CLI::App& app, Invocation& invocation);
 

@@ -64,6 +64,8 @@ int run(int count, char** arguments) {
   add_engines(app, invocation);
   add_export(app, invocation);
   add_judge(app, invocation);
+  add_judge_log(app, invocation);
+  add_merge(app, invocation);
   add_tables(app, invocation);
   add_trace(app, invocation);
   try {

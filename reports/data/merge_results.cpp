@@ -6,25 +6,15 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
-#include "cases/input/text_encoding.hpp"
 #include "cases/model/input_error.hpp"
+#include "reports/data/stored_json.hpp"
 
 namespace handhold::reports {
 namespace {
 
 using Json = nlohmann::ordered_json;
 using Keys = std::vector<const char*>;
-
-Json parsed(const NamedReport& part) {
-  const Json results = Json::parse(part.report.results, nullptr, false);
-  if (results.is_object() && results.value("format", "") == "handhold results" && results.value("version", 0) == 2)
-    return results;
-  throw InputError(fmt::format(
-      "{}: is no 'handhold results' of version 2 (give the results.json that this version of handhold writes)",
-      part.name));
-}
 
 /// Calls `visit` with every place that names an engine below a case.
 template <class Visit>
@@ -124,12 +114,6 @@ void merge_verdict(Json& into, const Json& part) {
   into["sentence"] = fmt::format("{}; {}", into["sentence"].get<std::string>(), part["sentence"].get<std::string>());
 }
 
-/// Texts that differ stand beside each other.
-void merge_texts(Json& into, const Json& part, const std::string& label) {
-  for (const auto& [key, text] : part.items())
-    if (into.value(key, Json()) != text) into[into.contains(key) ? fmt::format("{} ({})", key, label) : key] = text;
-}
-
 void merge_results(Json& into, const Json& part, const std::string& label) {
   for (const Json& engine : part["engines"])
     if (!found(into["engines"], engine, {"name"})) into["engines"].push_back(engine);
@@ -141,50 +125,28 @@ void merge_results(Json& into, const Json& part, const std::string& label) {
       into["cases"].push_back(of_case);
   }
   merge_verdict(into["verdict"], part["verdict"]);
-  merge_texts(into["provenance"], part["provenance"], label);
-}
-
-void merge_times(Json& into, const Json& part, const std::string& label) {
-  append(into["plays"], part["plays"]);
-  merge_texts(into["occasion"], part["occasion"], label);
-  if (into["seconds"].is_number() && part["seconds"].is_number())
-    into["seconds"] = into["seconds"].get<double>() + part["seconds"].get<double>();
-}
-
-/// Times are no need of a report: where there are none, an empty list.
-Json times_of(const StoredReport& report) {
-  const Json times = Json::parse(report.times, nullptr, false);
-  if (times.is_object()) return times;
-  return {{"format", "handhold times"},
-          {"version", 1},
-          {"occasion", Json::object()},
-          {"seconds", nullptr},
-          {"plays", Json::array()}};
-}
-
-std::string text(const Json& json) {
-  return escape_hidden(json.dump(1, ' ', false, Json::error_handler_t::replace)) + "\n";
+  append_texts(into["provenance"], part["provenance"], label);
 }
 
 }  // namespace
 
 StoredReport merged(std::vector<NamedReport> parts) {
   if (parts.empty()) throw InputError("results: none are given (name at least one results.json)");
-  Json results = parsed(parts.front()), times = times_of(parts.front().report);
+  Json results = parsed_results(parts.front()), times = parsed_times(parts.front().report);
   Blobs recordings = std::move(parts.front().report.recordings);
   for (std::size_t i = 1; i < parts.size(); ++i) {
     NamedReport& part = parts[i];
-    Json more = parsed(part), more_times = times_of(part.report);
+    Json more = parsed_results(part), more_times = parsed_times(part.report);
     try {
       rename_doubles(results, more, more_times, part.name);
       merge_results(results, more, part.name);
-      merge_times(times, more_times, part.name);
+      append_times(times, more_times, part.name);
     } catch (const Json::exception& error) {
       throw InputError(fmt::format("{}: {} (see reports/data/results.schema.json)", part.name, error.what()));
     }
     recordings.merge(part.report.recordings);
   }
-  return {text(results), text(times), std::move(recordings)};
+  return {file_text(results), file_text(times), std::move(recordings)};
 }
 
 }  // namespace handhold::reports

@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "reports/data/stored_report.hpp"
 
 namespace handhold::reports {
-
-/// A report and a short name for it, e.g. its folder's.
-struct NamedReport {
-  std::string name{};
-  StoredReport report{};
-};
 
 /// One report of several: parts of one suite, or runs to be put side by side. Cases, runs and claims that have the same
 /// name in both are one, with the judgements of both. An engine that played a case in an earlier report already is

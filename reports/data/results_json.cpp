@@ -5,10 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "cases/input/text_encoding.hpp"
 #include "compare/judge/verdict.hpp"
+#include "reports/data/stored_json.hpp"
 #include "reports/data/text.hpp"
 
 namespace handhold::reports {
@@ -164,20 +163,6 @@ Json engine_json(const compare::EngineInfo& engine) {
   return out;
 }
 
-Json verdict_json(const compare::SuiteResult& result) {
-  const compare::Count n = compare::count(result);
-  Json out;
-  out["passed"] = compare::passed(result);
-  out["sentence"] = compare::verdict_sentence(result);
-  out["interrupted"] = result.interrupted;
-  out["gates"] = n.gates;
-  out["failed"] = n.failed;
-  out["vacuous"] = n.vacuous;
-  out["not_asked"] = n.not_asked;
-  out["graded"] = n.graded;
-  return out;
-}
-
 Json frame_json(const compare::FrameTimes& frame) {
   if (frame.frames == 0) return nullptr;
   Json out;
@@ -190,21 +175,18 @@ Json frame_json(const compare::FrameTimes& frame) {
   return out;
 }
 
-std::string dump(const Json& json) {
-  return escape_hidden(json.dump(1, ' ', false, Json::error_handler_t::replace)) + "\n";
-}
-
 }  // namespace
 
 std::string results_json(const compare::SuiteResult& result) {
   Json out;
   out["format"] = "handhold results";
   out["version"] = 2;
-  out["verdict"] = verdict_json(result);
+  out["verdict"] = verdict_json(compare::standing(result));
+  if (result.shard) out["shard"] = {{"index", result.shard->index}, {"of", result.shard->of}, {"runs", result.runs}};
   out["provenance"] = text_json(result.provenance);
   out["engines"] = list(result.engines, engine_json);
   out["cases"] = list(result.cases, case_json);
-  return dump(out);
+  return file_text(out);
 }
 
 std::string times_json(const compare::SuiteResult& result, const RecordingNames& recordings) {
@@ -228,7 +210,7 @@ std::string times_json(const compare::SuiteResult& result, const RecordingNames&
         if (const auto kept = recordings.find(&play); kept != recordings.end()) row["recording"] = kept->second;
         out["plays"].push_back(std::move(row));
       }
-  return dump(out);
+  return file_text(out);
 }
 
 }  // namespace handhold::reports

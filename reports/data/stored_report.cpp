@@ -53,4 +53,10 @@ StoredReport read_report(const fs::path& place) {
   return out;
 }
 
+NamedReport read_named_report(const fs::path& place) {
+  const fs::path absolute = fs::absolute(place).lexically_normal();
+  const fs::path folder = fs::is_directory(absolute) ? absolute / "" : absolute;
+  return {folder.parent_path().filename().string(), read_report(place)};
+}
+
 }  // namespace handhold::reports

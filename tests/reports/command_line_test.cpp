@@ -70,7 +70,7 @@ TEST_P(Help, ExitsWithZeroAndShowsExamples) {
 INSTANTIATE_TEST_SUITE_P(Every, Help,
                          testing::Values("--help", "list --help", "suite --help", "run --help", "voxelize --help",
                                          "trace --help", "trace info --help", "trace convert --help", "engines --help",
-                                         "export --help"));
+                                         "export --help", "judge-log --help", "merge --help"));
 
 class BadInput : public CommandLine, public testing::WithParamInterface<const char*> {};
 
@@ -109,7 +109,11 @@ INSTANTIATE_TEST_SUITE_P(
                     "trace", "trace info", "trace info missing", "trace info empty", "trace info noise.json",
                     "trace info .", "trace convert empty out.csv", "trace convert missing",  //
                     "export", "export C99", "export C01", "judge", "judge missing", "judge .", "engines check",
-                    "engines check true", "suite --engine mine", "suite --engine mine=true"));
+                    "engines check true", "suite --engine mine", "suite --engine mine=true", "judge-log",
+                    "judge-log missing", "judge-log empty", "judge-log noise.json", "judge-log .",
+                    "judge-log noise.json --engine bullet", "suite --only C01 --shard 3/2",
+                    "suite --only C01 --shard 0/2", "suite --only C01 --shard 1/2x", "merge", "merge missing",
+                    "merge ."));
 
 TEST_F(CommandLine, ListsWhatThereIs) {
   const Result cases = run("list");
@@ -143,6 +147,19 @@ TEST_F(CommandLine, SuiteWritesAReportThatAgreesWithItsExitCode) {
 }
 
 // With one step a frame some limits, which are asymptotic, do not hold yet.
+TEST_F(CommandLine, PartsMergeToTheBytesOfOneRun) {
+  const std::string suite = "suite --only C01 --engines realtime --no-order --no-variants ";
+  ASSERT_EQ(run(suite + "--out whole").exit_code, 0);
+  for (const char* part : {"1", "2", "3", "4"}) {  // of three runs: one part is empty
+    const Result played = run(suite + "--shard " + part + "/4 --out " + part);
+    EXPECT_EQ(played.exit_code, 0) << played.out << played.error;
+  }
+  EXPECT_EQ(run("merge 1 2 4 --out merged").exit_code, 2);
+  const Result merged = run("merge 4 2 1 3 --out merged");
+  EXPECT_EQ(merged.exit_code, 0) << merged.out << merged.error;
+  EXPECT_EQ(read(root / "merged/results.json"), read(root / "whole/results.json"));
+}
+
 TEST_F(CommandLine, AFailedGateGivesExitCodeOne) {
   const Result result = run("suite --only C09,D13,G02 --no-order --substeps 1 --out report");
   EXPECT_EQ(result.exit_code, 1) << result.error;
@@ -200,6 +217,28 @@ TEST_F(CommandLine, VoxelizeWritesAFileOfVoxels) {
   const VoxelFile file = read_voxel_file(root / "box.hhvox");
   EXPECT_EQ(file.field->occupied_count(), 27000u);
   EXPECT_EQ(file.samples_O.size(), 8u);  // its corners
+}
+
+TEST_F(CommandLine, JudgeLogSaysWhatNoBodyDoes) {
+  std::string resting = R"({"format": "openxr", "objects": {"cube": {"shape": "shape:box"}}})", jumping = resting;
+  for (int i = 0; i < 60; ++i) {
+    const auto frame = [&](double x) {
+      return "\n{\"t\": " + std::to_string(i / 60.0) + R"(, "objects": {"cube": {"position": [)" + std::to_string(x) +
+             R"(, 1, 0], "orientation": [0, 0, 0, 1]}}})";
+    };
+    resting += frame(0);
+    jumping += frame(i < 30 ? 0 : 0.25);
+  }
+  write("resting.jsonl", resting);
+  write("jumping.jsonl", jumping);
+  const Result rest = run("judge-log resting.jsonl");
+  EXPECT_EQ(rest.exit_code, 0) << rest.out << rest.error;
+  EXPECT_NE(rest.out.find("nothing that a rigid body"), std::string::npos) << rest.out;
+  const Result jump = run("judge-log jumping.jsonl");
+  EXPECT_EQ(jump.exit_code, 1) << jump.out << jump.error;
+  EXPECT_NE(jump.out.find("jumps 250 mm in one frame"), std::string::npos) << jump.out;
+  const nlohmann::json verdict = nlohmann::json::parse(run("judge-log jumping.jsonl --json").out);
+  EXPECT_NEAR(verdict["findings"].at(0)["end"].get<double>(), 0.5, 1e-6);
 }
 
 TEST_F(CommandLine, OutputThatCannotBeWrittenIsAnError) {

@@ -22,18 +22,13 @@ namespace {
 
 using nlohmann::json;
 
-const std::vector<std::string> recording_keys{"format",     "unit",   "up",   "handedness", "time",
-                                              "quaternion", "frames", "name", "metadata",   "comment"};
-const std::vector<std::string> frame_keys{"t", "hands"};
+const std::vector<std::string> recording_keys{"format", "unit", "up",       "handedness", "time",    "quaternion",
+                                              "frames", "name", "metadata", "comment",    "objects", "drawn_hands"};
+const std::vector<std::string> frame_keys{"t", "hands", "objects"};
 const std::vector<std::string> hand_keys{"joints", "confidence", "id"};
 const std::vector<std::string> joint_keys{"position", "orientation", "radius", "name"};
 
-struct Format {
-  const JointSet* set;
-  SourceFrame frame{1, 'y'};
-  double ticks{1};   ///< of the file's time in a second
-  bool wxyz{false};  ///< order of quaternions; else x, y, z, w
-};
+using Format = JointsFormat;
 
 std::string text_or(const json& object, const char* name, std::string_view otherwise) {
   const auto found = object.find(name);
@@ -43,31 +38,6 @@ std::string text_or(const json& object, const char* name, std::string_view other
 bool is_wxyz(const std::string& order, const std::string& path) {
   if (order == "xyzw" || order == "wxyz") return order == "wxyz";
   throw InputError(fmt::format("{}: quaternion \"{}\" is no order (use xyzw or wxyz)", path, order));
-}
-
-Format read_format(const json& recording, const std::string& path) {
-  check_keys(recording, recording_keys, path);
-  for (const char* name : {"format", "unit", "up", "handedness", "time", "quaternion"}) {
-    if (recording.contains(name) && !recording[name].is_string())
-      throw InputError(fmt::format("{}: \"{}\" is no text (put it in quotes)", path, name));
-  }
-  if (!recording.contains("format"))
-    throw InputError(
-        fmt::format("{}: \"format\" is missing (write \"format\": \"openxr\", \"webxr\", \"mano\", "
-                    "\"mediapipe\" or \"leap\")",
-                    path));
-  Format format{};
-  try {
-    format.set = &joint_set(text_or(recording, "format", ""));
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", path, error.what()));
-  }
-  format.frame.per_metre = units_per_metre(text_or(recording, "unit", "m"), path);
-  set_up(format.frame, text_or(recording, "up", format.set->up), path);
-  set_handedness(format.frame, text_or(recording, "handedness", "right"), path);
-  format.ticks = ticks_per_second(text_or(recording, "time", "s"), path);
-  format.wxyz = is_wxyz(text_or(recording, "quaternion", "xyzw"), path);
-  return format;
 }
 
 /// Place of a joint in the format's order: named, or its place in the list.
@@ -225,11 +195,38 @@ void doubt_order(const json& recording, Format format, const std::string& path, 
 
 }  // namespace
 
+JointsFormat read_joints_format(const json& recording, const std::string& path) {
+  check_keys(recording, recording_keys, path);
+  for (const char* name : {"format", "unit", "up", "handedness", "time", "quaternion"}) {
+    if (recording.contains(name) && !recording[name].is_string())
+      throw InputError(fmt::format("{}: \"{}\" is no text (put it in quotes)", path, name));
+  }
+  if (recording.contains("drawn_hands") && !recording["drawn_hands"].is_boolean())
+    throw InputError(fmt::format("{}: \"drawn_hands\" is neither true nor false (write one of them)", path));
+  if (!recording.contains("format"))
+    throw InputError(
+        fmt::format("{}: \"format\" is missing (write \"format\": \"openxr\", \"webxr\", \"mano\", "
+                    "\"mediapipe\" or \"leap\")",
+                    path));
+  Format format{};
+  try {
+    format.set = &joint_set(text_or(recording, "format", ""));
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", path, error.what()));
+  }
+  format.frame.per_metre = units_per_metre(text_or(recording, "unit", "m"), path);
+  set_up(format.frame, text_or(recording, "up", format.set->up), path);
+  set_handedness(format.frame, text_or(recording, "handedness", "right"), path);
+  format.ticks = ticks_per_second(text_or(recording, "time", "s"), path);
+  format.wxyz = is_wxyz(text_or(recording, "quaternion", "xyzw"), path);
+  return format;
+}
+
 Trace joints_trace(json parsed, const std::string& path, std::vector<std::string> remarks) {
   const json recording = canonical_joints(std::move(parsed), path, remarks);
   if (list_of(recording, "frames").empty())
     throw InputError(fmt::format("{}: there are no frames (give at least two, as a list \"frames\")", path));
-  const Format format = read_format(recording, path);
+  const Format format = read_joints_format(recording, path);
   Trace trace = assemble(recording, format, path);
   doubt_quaternions(recording, format, path, remarks);
   doubt_order(recording, format, path, trace, remarks);

@@ -9,8 +9,22 @@
 #include <nlohmann/json.hpp>
 
 #include "cases/hand/trace.hpp"
+#include "cases/input/trace/source_frame.hpp"
 
 namespace handhold {
+
+struct JointSet;
+
+/// What the head of a recording of joints says of its numbers.
+struct JointsFormat {
+  const JointSet* set{};
+  SourceFrame frame{1, 'y'};
+  double ticks{1};   ///< of the file's time in a second
+  bool wxyz{false};  ///< order of quaternions; else x, y, z, w
+};
+
+/// Throws InputError for unknown members and values.
+[[nodiscard]] JointsFormat read_joints_format(const nlohmann::json& recording, const std::string& path);
 
 /// A list of frames as the recording that it stands for; its first item may be a header without a frame.
 [[nodiscard]] nlohmann::json as_recording(nlohmann::json value);
