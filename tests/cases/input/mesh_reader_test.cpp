@@ -162,11 +162,14 @@ TEST_F(MeshReader, RefusesDamagedPlyAndGltf) {
 // A box of 8 vertices and 6 faces in the dialects of others: all mean the same 24 cm³.
 class Dialect : public MeshReader {
  protected:
+  /// Three lengths in single precision: 3 x 2^-24 of the volume [m^3].
+  static constexpr double rounding = 24e-6 * 3 / (1 << 24);
+
   void expect_box(const std::string& name, const std::string& bytes) {
     const Mesh mesh = read_mesh(folder_.write(name, bytes));
     EXPECT_EQ(mesh.triangles.size(), 12u) << name;
     EXPECT_TRUE(mesh_topology(mesh).closed_and_oriented()) << name;
-    EXPECT_NEAR(solid_properties(mesh).volume, 24e-6, 1e-12) << name;
+    EXPECT_NEAR(solid_properties(mesh).volume, 24e-6, rounding) << name;
   }
 
   static std::string replaced(std::string text, const std::string& what, const std::string& by) {
@@ -187,7 +190,7 @@ class Dialect : public MeshReader {
 TEST_F(Dialect, NumbersAndLinesOfObj) {
   const std::string text = files::obj(small_);
   expect_box("dot.obj", replaced(text, "0.0", ".0"));
-  expect_box("exponent.obj", replaced(replaced(text, "0.01", ".1e-1"), "0.02", "+2.E-2"));
+  expect_box("exponent.obj", replaced(replaced(text, "0.015", ".15e-1"), " 0.02", " +2.E-2"));
 }
 
 TEST_F(Dialect, LinesOfObj) {
@@ -290,7 +293,7 @@ class Gltf : public Dialect {
 TEST_F(Gltf, ExternalBuffersAreRegularFiles) {
   const std::string good = text(R"({"mesh":0})", 1);
   const Mesh mesh = read_mesh(folder_.write("good.gltf", good));
-  EXPECT_NEAR(solid_properties(mesh).volume, 24e-6, 1e-12);
+  EXPECT_NEAR(solid_properties(mesh).volume, 24e-6, rounding);
   ASSERT_EQ(::mkfifo((folder_.path() / "pipe").c_str(), 0600), 0);
   expect_message("pipe.gltf", replaced(good, "box.bin", "pipe"), "is a device or a pipe");
   expect_message("none.gltf", replaced(good, "box.bin", "none.bin"), "no such file");
