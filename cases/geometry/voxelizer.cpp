@@ -55,6 +55,14 @@ void check_options(const VoxelOptions& options) {
     throw InputError(fmt::format("band={}: need a length above 0 in metres (or 0 for the default)", options.band));
 }
 
+// No hand holds what is metres across: then the unit is the likeliest cause.
+std::string cure(double across, double h, double nodes) {
+  if (across > 20) return "is it in millimetres? --scale 0.001";
+  const double fitting = 1.1e3 * h * std::cbrt(nodes / most_nodes);  // a band of whole voxels takes a few more
+  const std::string larger = fmt::format("take voxels of {:.2g} mm", fitting);
+  return across > 2 ? "is it in centimetres? --scale 0.01; otherwise " + larger : larger;
+}
+
 // Voxels share out the bounding box symmetrically: a box whose size is a multiple of h is filled by whole voxels.
 Grid make_grid(const Eigen::AlignedBox3d& bounds, double h, double margin) {
   const Eigen::Array3d inner = (bounds.sizes().array() / h - 1e-9).ceil().max(1.0);
@@ -62,8 +70,9 @@ Grid make_grid(const Eigen::AlignedBox3d& bounds, double h, double margin) {
   if (!(nodes.prod() <= most_nodes)) {
     throw InputError(
         fmt::format("voxel_size={:g} m: a mesh of {:g} x {:g} x {:g} m would need {:.2g} voxels, the limit is {:.2g} "
-                    "(choose larger voxels or a smaller band)",
-                    h, bounds.sizes().x(), bounds.sizes().y(), bounds.sizes().z(), nodes.prod(), most_nodes));
+                    "({})",
+                    h, bounds.sizes().x(), bounds.sizes().y(), bounds.sizes().z(), nodes.prod(), most_nodes,
+                    cure(bounds.sizes().maxCoeff(), h, nodes.prod())));
   }
   if (!(std::max(bounds.max().cwiseAbs().maxCoeff(), bounds.min().cwiseAbs().maxCoeff()) <= most_spacings_away * h))
     throw InputError(fmt::format("voxel_size={:g} m: the mesh lies too far from its origin (move it nearer)", h));

@@ -41,7 +41,7 @@ class Scan {
     if (c == '}' || c == ']') --depth_;
     if (depth_ > deepest) {
       const auto line = 1 + std::count(text_.begin(), text_.begin() + std::ptrdiff_t(at_), '\n');
-      throw InputError(fmt::format("{}:{}, byte {}: more than {} levels of lists and objects (is it a recording?)",
+      throw InputError(fmt::format("{}:{}, byte {}: more than {} levels of lists and objects (is it the right file?)",
                                    path_, line, at_ + 1, deepest));
     }
     out_ += c;
@@ -110,7 +110,7 @@ json parse_json(std::string_view text, const std::string& path) {
   } catch (const json::out_of_range&) {
     throw InputError(fmt::format("{}: a number in it is beyond 1e308 (correct it)", path));
   }
-  throw InputError(fmt::format("{}: the JSON text is neither object nor list (is it a recording?)", path));
+  throw InputError(fmt::format("{}: the JSON text is neither object nor list (is it the right file?)", path));
 }
 
 void check_keys(const json& object, const std::vector<std::string>& known, const std::string& where) {

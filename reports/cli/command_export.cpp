@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cctype>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <string>
 #include <variant>
@@ -12,6 +10,7 @@
 
 #include "cases/catalogue/case.hpp"
 #include "cases/input/recording/recording_csv.hpp"
+#include "cases/input/regular_file.hpp"
 #include "cases/model/input_error.hpp"
 #include "compare/engine/mjcf.hpp"
 #include "compare/engine/problem_json.hpp"
@@ -86,15 +85,9 @@ catalogue::Run find_run(const std::string& name) {
   throw InputError(fmt::format("problem '{}': is no run of the catalogue (export it again)", name));
 }
 
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file);
-  if (!in) throw InputError(fmt::format("{}: cannot be read (give a folder that handhold export made)", file.string()));
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
-
 void judge_folder(const std::string& folder) {
   const fs::path file = fs::path(folder) / "problem.json", out = fs::path(folder) / "out";
-  const compare::SampledProblem asked = compare::read_problem_json(text_of(file), file.string());
+  const compare::SampledProblem asked = compare::read_problem_json(read_regular_file(file), file.string());
   const Recording recording = read_recording(out);
   if (const std::string fault = compare::answer_fault(recording, asked); !fault.empty())
     throw InputError(fmt::format("{}: {} (play problem.json again)", (out / "frames.csv").string(), fault));

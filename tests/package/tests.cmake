@@ -14,7 +14,7 @@ set_tests_properties(package.clear PROPERTIES LABELS package FIXTURES_SETUP clea
 add_test(NAME package.install COMMAND ${CMAKE_COMMAND} --install "${PROJECT_BINARY_DIR}" --prefix "${prefix}")
 set_tests_properties(package.install PROPERTIES LABELS package FIXTURES_REQUIRED cleared FIXTURES_SETUP installed)
 
-set(hidden GSL fmt nlohmann_json tomlplusplus CLI11 CGAL assimp Simbody GTest)
+set(hidden GSL fmt nlohmann_json tomlplusplus CLI11 CGAL Simbody GTest)
 list(TRANSFORM hidden REPLACE "(.+)" "-DCMAKE_DISABLE_FIND_PACKAGE_\\1=ON")
 add_test(NAME package.install_realtime_alone COMMAND ${CMAKE_CTEST_COMMAND}
   --build-and-test "${PROJECT_SOURCE_DIR}" "${PROJECT_BINARY_DIR}/package/alone"

@@ -2,11 +2,9 @@
 #include "cases/input/mesh/field_cache.hpp"
 
 #include <array>
-#include <cctype>
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
-#include <iterator>
 #include <system_error>
 #include <utility>
 
@@ -15,6 +13,7 @@
 
 #include "cases/input/mesh/fingerprint.hpp"
 #include "cases/input/mesh/mesh_reader.hpp"
+#include "cases/input/regular_file.hpp"
 #include "cases/model/byte_stream.hpp"
 #include "cases/model/input_error.hpp"
 #include "cases/model/voxel_file.hpp"
@@ -27,12 +26,16 @@ namespace fs = std::filesystem;
 // File: magic, version, then sections: length, CRC-32, bytes. Raise the version whenever a section, or what the
 // importer or voxelizer makes of the same input, changes.
 constexpr std::string_view magic = "HANDHOLD-FIELD\n";
-constexpr std::uint32_t version = 2;
+constexpr std::uint32_t version = 3;
 
-std::string key_of(std::string_view bytes, const fs::path& file, double scale, const VoxelOptions& options) {
+// Of the very bytes that are then parsed, those of external buffers included.
+std::string key_of(const MeshFile& file, double scale, const VoxelOptions& options) {
   // Extension: the same bytes mean something else to another reader.
-  return fmt::format("{} {} {} {:a} {:a} {:a}", fingerprint(bytes), bytes.size(), file.extension().string(), scale,
-                     options.voxel_size, options.band);
+  std::string key = fmt::format("{} {} {} {:a} {:a} {:a}", fingerprint(file.bytes), file.bytes.size(), file.extension,
+                                scale, options.voxel_size, options.band);
+  for (const auto& [uri, bytes] : file.buffers)
+    key += fmt::format(" {} {} {}", fingerprint(uri), fingerprint(bytes), bytes.size());
+  return key;
 }
 
 template <class Stream, class Imported>
@@ -100,9 +103,11 @@ std::optional<ImportedObject> unpack(std::string_view bytes, const std::string& 
 }
 
 std::optional<std::string> slurp(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) return std::nullopt;
-  return std::string(std::istreambuf_iterator<char>(stream), {});
+  try {
+    return read_regular_file(file);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
 }
 
 // Written beside and renamed, so that nobody ever reads half a file.
@@ -118,12 +123,6 @@ void store(const fs::path& place, const std::string& bytes) {
   }
   if (written) fs::rename(beside, place, error);
   if (!written || error) fs::remove(beside, error);
-}
-
-bool is_text_gltf(const fs::path& file) {
-  std::string extension = file.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension == ".gltf";
 }
 
 }  // namespace
@@ -143,9 +142,9 @@ std::optional<fs::path> cache_folder(const FieldCacheOptions& options) {
 ImportedObject import_object(const fs::path& file, double scale, const VoxelOptions& options,
                              const FieldCacheOptions& cache) {
   const auto start = std::chrono::steady_clock::now();
-  const std::string bytes = read_bytes(file);
-  const std::string key = key_of(bytes, file, scale, options);
-  const std::optional<fs::path> folder = is_text_gltf(file) ? std::nullopt : cache_folder(cache);
+  const MeshFile given = read_mesh_file(file);
+  const std::string key = key_of(given, scale, options);
+  const std::optional<fs::path> folder = cache_folder(cache);
   const fs::path place = folder ? *folder / (fingerprint(key) + ".field") : fs::path();
 
   ImportedObject object;
@@ -153,7 +152,7 @@ ImportedObject import_object(const fs::path& file, double scale, const VoxelOpti
     if (auto found = unpack(*stored, key)) object = std::move(*found);
   }
   if (!object.field) {
-    object.mesh = import_mesh(file, scale);
+    object.mesh = import_mesh(given, scale);
     object.field = voxelize(object.mesh.mesh, options);
     if (folder) store(place, pack(key, object.mesh, *object.field));
   }

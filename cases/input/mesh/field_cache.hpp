@@ -29,7 +29,7 @@ struct ImportedObject {
 /// `import_mesh` and `voxelize`, or what they gave for the same bytes, scale and options the last time.
 ///
 /// A cache file that is damaged, older or made for other input is ignored and rebuilt; a folder that cannot be written
-/// is no error. Text glTF is never cached: it keeps its coordinates in other files.
+/// is no error. A glTF's external buffers belong to its bytes.
 [[nodiscard]] ImportedObject import_object(const std::filesystem::path& file, double scale = 1,
                                            const VoxelOptions& options = {}, const FieldCacheOptions& cache = {});
 

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "cases/geometry/wall_thickness.hpp"
-#include "cases/input/mesh/mesh_reader.hpp"
 #include "cases/model/input_error.hpp"
 
 namespace handhold {
@@ -79,15 +78,19 @@ void add_warnings(VoxelReport& report, const Mesh& mesh) {
 }  // namespace
 
 ImportedMesh import_mesh(const std::filesystem::path& file, double scale) {
+  return import_mesh(read_mesh_file(file), scale);
+}
+
+ImportedMesh import_mesh(const MeshFile& file, double scale) {
   const auto start = Clock::now();
   ImportedMesh result;
-  result.source = file.string();
+  result.source = file.path.string();
   result.scale = scale;
   result.mesh = read_mesh(file, scale, &result.warnings);
   try {
     result.repair = repair(result.mesh);
   } catch (const InputError& error) {
-    throw InputError(file.string() + ": " + error.what());
+    throw InputError(file.path.string() + ": " + error.what());
   }
   result.seconds = seconds_since(start);
   return result;

@@ -10,6 +10,7 @@
 
 #include "cases/geometry/mesh_repair.hpp"
 #include "cases/geometry/voxelizer.hpp"
+#include "cases/input/mesh/mesh_reader.hpp"
 #include "cases/model/mass_properties.hpp"
 #include "cases/model/mesh.hpp"
 #include "cases/model/voxel_field.hpp"
@@ -27,6 +28,7 @@ struct ImportedMesh {
 };
 
 /// `read_mesh`, then `repair`; throws InputError naming the file.
+[[nodiscard]] ImportedMesh import_mesh(const MeshFile& file, double scale = 1);
 [[nodiscard]] ImportedMesh import_mesh(const std::filesystem::path& file, double scale = 1);
 
 /// What a user wants to know about an imported object.

@@ -4,18 +4,16 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <exception>
-#include <fstream>
 
 #include <Eigen/Geometry>
-#include <assimp/Importer.hpp>
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
 #include <fmt/format.h>
 
+#include "cases/geometry/cgal_triangulate.hpp"
 #include "cases/geometry/mesh_cleanup.hpp"
-#include "cases/input/mesh/mesh_prescan.hpp"
+#include "cases/input/mesh/text_lines.hpp"
+#include "cases/input/regular_file.hpp"
 #include "cases/model/input_error.hpp"
+#include "cases/model/mass_properties.hpp"
 
 namespace handhold {
 namespace {
@@ -23,145 +21,149 @@ namespace {
 namespace fs = std::filesystem;
 using Eigen::Vector3d;
 
-constexpr std::uintmax_t largest_file = 512ull << 20;
+constexpr std::size_t most_corners = 100'000;  // of one face: to cut it takes half a kilobyte a corner
+constexpr std::size_t largest_total = std::size_t{512} << 20;
 
-[[noreturn]] void fail(const fs::path& file, const std::string& rule, const char* advice) {
+[[noreturn]] void fail(const fs::path& file, const std::string& rule, const std::string& advice) {
   throw InputError(fmt::format("{}: {} ({})", file.string(), rule, advice));
 }
 
 std::string lower_extension(const fs::path& file) {
-  std::string extension = file.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string extension = lower(file.extension().string());
   const auto known = {".obj", ".stl", ".ply", ".off", ".gltf", ".glb"};
   if (std::find(known.begin(), known.end(), extension) != known.end()) return extension;
   fail(file, fmt::format("no mesh format has the extension '{}'", extension), "use .obj .stl .ply .off .gltf or .glb");
 }
 
-std::string one_line(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
-  return text;
+// The file that a URI names: %20 is a blank, and nothing is fetched from a network.
+fs::path local_path(const fs::path& file, const std::string& uri) {
+  std::string name;
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    const bool code = uri[i] == '%' && i + 2 < uri.size() && std::isxdigit(static_cast<unsigned char>(uri[i + 1])) &&
+                      std::isxdigit(static_cast<unsigned char>(uri[i + 2]));
+    name += code ? static_cast<char>(std::stoi(uri.substr(i + 1, 2), nullptr, 16)) : uri[i];
+    if (code) i += 2;
+  }
+  if (name.empty() || name.find("://") != std::string::npos || name.find('\0') != std::string::npos)
+    fail(file, fmt::format("its buffer '{}' is no file beside it", printable(uri)), "put it there");
+  return file.parent_path() / name;
 }
 
-// Collects the triangles of a scene, node by node.
-struct Collector {
-  const aiScene& scene;
-  Mesh mesh{};
-  std::size_t dropped{};  // points and lines
+PolygonSoup parse(const MeshFile& file) {
+  const std::string name = file.path.string();
+  if (file.extension == ".obj") return parse_obj(file.bytes, name);
+  if (file.extension == ".off") return parse_off(file.bytes, name);
+  if (file.extension == ".stl") return parse_stl(file.bytes, name);
+  if (file.extension == ".ply") return parse_ply(file.bytes, name);
+  return parse_gltf(file.bytes, file.buffers, name);
+}
 
-  void add(const aiNode& node, const aiMatrix4x4& parent) {
-    const aiMatrix4x4 X = parent * node.mTransformation;
-    for (unsigned i = 0; i < node.mNumMeshes; ++i) add(*scene.mMeshes[node.mMeshes[i]], X);
-    for (unsigned i = 0; i < node.mNumChildren; ++i) add(*node.mChildren[i], X);
-  }
-
-  void add(const aiMesh& part, const aiMatrix4x4& X) {
-    const int first = static_cast<int>(mesh.vertices.size());
-    for (unsigned i = 0; i < part.mNumVertices; ++i) {
-      const aiVector3D p = X * part.mVertices[i];
-      mesh.vertices.emplace_back(p.x, p.y, p.z);
-    }
-    // A mirroring transform turns the faces inside out.
-    const bool mirrored = aiMatrix3x3(X).Determinant() < 0;
-    for (unsigned i = 0; i < part.mNumFaces; ++i) {
-      const aiFace& face = part.mFaces[i];
-      dropped += face.mNumIndices < 3;
-      if (face.mNumIndices != 3) continue;
-      std::array<int, 3> corners{};
-      for (int c = 0; c < 3; ++c) corners[c] = first + static_cast<int>(face.mIndices[c]);
-      if (mirrored) std::swap(corners[1], corners[2]);
-      mesh.triangles.push_back(corners);
-    }
-  }
+struct Cut {
+  std::size_t skew{}, crossed{};
+  double ambiguity{};
 };
 
-// Assimp's own processing steps trust every index, and abort on polygons without corners: look at them first.
-void check_indices(const aiScene& scene, const fs::path& file) {
-  for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
-    const aiMesh& part = *scene.mMeshes[m];
-    if (part.mNumFaces == 0) fail(file, fmt::format("its mesh {} has no faces", m), "is it damaged?");
-    for (unsigned f = 0; f < part.mNumFaces; ++f) {
-      const aiFace& face = part.mFaces[f];
-      if (face.mNumIndices == 0) fail(file, fmt::format("face {} has no corners", f), "is it damaged?");
-      for (unsigned c = 0; c < face.mNumIndices; ++c) {
-        if (face.mIndices[c] < part.mNumVertices) continue;
-        fail(file, fmt::format("face {} names vertex {}, there are {}", f, face.mIndices[c], part.mNumVertices),
-             "correct the file");
-      }
-    }
+void add_polygon(const PolygonSoup& soup, std::size_t begin, std::size_t end, Mesh& mesh, Cut& cut) {
+  const int* corner = soup.corners.data() + begin;
+  if (end - begin == 3) {
+    mesh.triangles.push_back({corner[0], corner[1], corner[2]});
+    return;
   }
+  std::vector<Vector3d> points;
+  for (std::size_t i = begin; i < end; ++i) points.push_back(soup.points[static_cast<std::size_t>(soup.corners[i])]);
+  const CutPolygon polygon = cut_polygon(points);
+  for (const auto& [a, b, c] : polygon.triangles) mesh.triangles.push_back({corner[a], corner[b], corner[c]});
+  cut.crossed += !polygon.sound;
+  cut.skew += polygon.ambiguity > 0;
+  cut.ambiguity += polygon.ambiguity;
 }
 
-Mesh load(const fs::path& file, std::size_t& dropped) {
-  Assimp::Importer importer;
-  const aiScene* scene = importer.ReadFile(file.string(), 0);
-  if (scene && scene->mRootNode) {
-    check_indices(*scene, file);
-    scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
+// Says so if the ways to cut the polygons matter: by a thousandth of the volume.
+std::vector<std::string> remarks(const Cut& cut, const Mesh& mesh) {
+  std::vector<std::string> out;
+  const double volume = std::abs(solid_properties(mesh).volume);
+  if (volume > 0 && cut.ambiguity > 1e-3 * volume) {
+    out.push_back(
+        fmt::format("{} faces are not planar: cut along other diagonals the volume differs by up to {:.3g} % "
+                    "(cut them into triangles in a mesh editor)",
+                    cut.skew, 100 * cut.ambiguity / volume));
   }
-  if (!scene || !scene->mRootNode)
-    fail(file, "cannot be read: " + one_line(importer.GetErrorString()), "is it damaged?");
-  Collector collector{*scene};
-  collector.add(*scene->mRootNode, aiMatrix4x4());
-  dropped = collector.dropped;
-  return std::move(collector.mesh);
+  if (cut.crossed > 0)
+    out.push_back(fmt::format("{} faces cross themselves (cut them into triangles in a mesh editor)", cut.crossed));
+  return out;
 }
 
-void check(const Mesh& mesh, const fs::path& file, double scale) {
+Mesh triangulated(PolygonSoup soup, const fs::path& file, Cut& cut) {
+  Mesh mesh;
+  std::size_t begin = 0;
+  for (const std::size_t end : soup.ends) {
+    if (end - begin > most_corners)
+      fail(file, fmt::format("face of {} corners, the limit is {}", end - begin, most_corners),
+           "cut it into triangles");
+    add_polygon(soup, begin, end, mesh, cut);
+    begin = end;
+  }
+  mesh.vertices = std::move(soup.points);
+  return mesh;
+}
+
+// Before anything is computed from the coordinates. Vertices that no face names do not count for the size.
+void check_size(const PolygonSoup& soup, const fs::path& file, double scale) {
+  if (soup.ends.empty()) fail(file, "there are no faces in it", "give a closed mesh");
+  for (std::size_t v = 0; v < soup.points.size(); ++v) {
+    if (!(scale * soup.points[v].cwiseAbs().maxCoeff() < 1e30))
+      fail(file, fmt::format("vertex {} lies beyond 1e30 m", v), "correct the file");
+  }
   Eigen::AlignedBox3d bounds;
-  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-    if (!mesh.vertices[v].allFinite()) fail(file, fmt::format("vertex {} is not finite", v), "correct the file");
-    bounds.extend(mesh.vertices[v]);
-  }
-  if (mesh.triangles.size() < 4)
-    fail(file, fmt::format("{} triangles, a solid has at least 4", mesh.triangles.size()), "give a closed mesh");
-  const double extent = bounds.sizes().maxCoeff();
+  for (const int corner : soup.corners) bounds.extend(soup.points[static_cast<std::size_t>(corner)]);
+  const double extent = scale * bounds.sizes().maxCoeff();
   if (extent > 1e-9 && extent < 1e3) return;
   fail(file, fmt::format("{:g} m across at scale {:g}: must lie between 1e-9 and 1000 m", extent, scale),
-       "set the scale");
+       extent < 1 ? "set the scale" : "is it in millimetres? --scale 0.001");
 }
 
 }  // namespace
 
-std::string read_bytes(const fs::path& file) {
-  std::error_code error;
-  const fs::file_status status = fs::status(file, error);
-  if (!fs::exists(status)) fail(file, "no such file", "check the path");
-  if (!fs::is_regular_file(status)) fail(file, "not a file", "give a file, not a folder");
-  const std::uintmax_t size = fs::file_size(file, error);
-  if (error || size == 0) fail(file, "the file is empty", "export it again");
-  if (size > largest_file) fail(file, fmt::format("{} MB, the limit is 512", size >> 20), "simplify the mesh");
-  std::ifstream stream(file, std::ios::binary);
-  std::string bytes(size, '\0');
-  if (!stream.read(bytes.data(), static_cast<std::streamsize>(size)))
-    fail(file, "cannot be read", "check its permissions");
-  return bytes;
+MeshFile read_mesh_file(const fs::path& path) {
+  MeshFile file;
+  file.path = path;
+  file.bytes = read_regular_file(path);
+  if (file.bytes.empty()) fail(path, "the file is empty", "export it again");
+  file.extension = lower_extension(path);
+  if (file.extension != ".gltf" && file.extension != ".glb") return file;
+  std::size_t total = file.bytes.size();
+  for (const std::string& uri : external_buffers(file.bytes, path.string())) {
+    if (file.buffers.count(uri)) continue;
+    try {
+      total += (file.buffers[uri] = read_regular_file(local_path(path, uri))).size();
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}: its buffer {}", path.string(), error.what()));
+    }
+    if (total > largest_total) fail(path, "with its buffers larger than 512 MiB", "simplify the mesh");
+  }
+  return file;
+}
+
+Mesh read_mesh(const MeshFile& file, double scale, std::vector<std::string>* warnings) {
+  if (!(scale > 0 && std::isfinite(scale)))
+    fail(file.path, fmt::format("scale={}: need a number above 0", scale), "0.001 for a file in millimetres");
+  PolygonSoup soup = parse(file);
+  std::vector<std::string> said = std::move(soup.warnings);
+  if (soup.dropped > 0) said.push_back(fmt::format("{} points and lines were dropped", soup.dropped));
+  check_size(soup, file.path, scale);
+  Cut cut;
+  Mesh mesh = triangulated(std::move(soup), file.path, cut);
+  if (mesh.triangles.size() < 4)
+    fail(file.path, fmt::format("{} triangles, a solid has at least 4", mesh.triangles.size()), "give a closed mesh");
+  weld(mesh, 0);  // most formats give every face its own corners
+  for (std::string& remark : remarks(cut, mesh)) said.push_back(std::move(remark));
+  for (Vector3d& v : mesh.vertices) v *= scale;
+  if (warnings) warnings->insert(warnings->end(), said.begin(), said.end());
+  return mesh;
 }
 
 Mesh read_mesh(const fs::path& file, double scale, std::vector<std::string>* warnings) {
-  if (!(scale > 0 && std::isfinite(scale)))
-    fail(file, fmt::format("scale={}: need a number above 0", scale), "0.001 for a file in millimetres");
-  const std::string bytes = read_bytes(file);
-  const MeshPrescan promised = prescan_mesh(bytes, lower_extension(file), file.string());
-
-  Mesh mesh;
-  std::size_t dropped = 0;
-  try {
-    mesh = load(file, dropped);
-  } catch (const InputError&) {
-    throw;
-  } catch (const std::exception& error) {  // bad_alloc on absurd counts and the like
-    fail(file, "cannot be read: " + one_line(error.what()), "is it damaged?");
-  }
-  if (mesh.triangles.size() < promised.triangles) {
-    fail(file, fmt::format("only {} of {} triangles can be read", mesh.triangles.size(), promised.triangles),
-         "the faces left out are damaged");
-  }
-  weld(mesh, 0);  // the library gives every face its own corners
-  for (Vector3d& v : mesh.vertices) v *= scale;
-  check(mesh, file, scale);
-  if (dropped > 0 && warnings) warnings->push_back(fmt::format("{} points and lines were dropped", dropped));
-  return mesh;
+  return read_mesh(read_mesh_file(file), scale, warnings);
 }
 
 }  // namespace handhold

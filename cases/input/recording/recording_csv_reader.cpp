@@ -2,8 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -13,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "cases/input/recording/recording_csv.hpp"
+#include "cases/input/regular_file.hpp"
 #include "cases/model/input_error.hpp"
 
 namespace handhold {
@@ -42,9 +41,7 @@ std::string unescape(std::string_view text) {
 class Lines {
  public:
   explicit Lines(const fs::path& path) : path_(path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw InputError(fmt::format("{}: cannot be read (give the folder of a recording)", path.string()));
-    text_.assign(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+    text_ = read_regular_file(path);
     while (next()) {
       if (line_.empty() || line_.front() != '#') break;
       header.push_back(std::string(line_));

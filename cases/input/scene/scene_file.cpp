@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cases/input/scene/scene_file.hpp"
 
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <system_error>
 
 #include <fmt/format.h>
 
+#include "cases/input/regular_file.hpp"
 #include "cases/input/scene/materials.hpp"
 #include "cases/input/scene/toml_bounds.hpp"
 #include "cases/input/scene/toml_section.hpp"
+#include "cases/input/text_encoding.hpp"
 #include "cases/model/input_error.hpp"
 
 namespace handhold {
@@ -221,10 +221,7 @@ SceneSpec read_scene(const std::filesystem::path& path) {
     throw InputError(
         one_line(fmt::format("{}: {} bytes: a scene is at most 16 MB (give a scene file)", path.string(), size)));
   }
-  std::ifstream file(path, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  if (!file) throw InputError(one_line(fmt::format("{}: cannot be read (check its permissions)", path.string())));
-  return parse_scene(text, path.string());
+  return parse_scene(plain_text(read_regular_file(path)), path.string());
 }
 
 }  // namespace handhold

@@ -227,11 +227,22 @@ TEST(Voxelize, RejectsUnfitOptions) {
   const Mesh box = make_box({0.06, 0.04, 0.02});
   EXPECT_NE(message(box, size(-1)).find("voxel_size=-1"), std::string::npos);
   EXPECT_NE(message(box, size(NAN)).find("voxel_size=nan"), std::string::npos);
-  EXPECT_NE(message(box, size(1e-6)).find("choose larger voxels"), std::string::npos);
+  EXPECT_NE(message(box, size(1e-6)).find("(take voxels of "), std::string::npos);
   EXPECT_NE(message(box, size(0.001, INFINITY)).find("band=inf"), std::string::npos);
   Mesh away = box;
   for (Vector3d& v : away.vertices) v.x() += 1e6;
   EXPECT_NE(message(away).find("too far"), std::string::npos);
+}
+
+// A box of 60 mm whose file is in another unit, and one that is large indeed: the size that is named is taken.
+TEST(Voxelize, NamesTheUnitThatIsLikely) {
+  EXPECT_NE(message(make_box({60, 40, 20})).find("(is it in millimetres? --scale 0.001)"), std::string::npos);
+  EXPECT_NE(message(make_box({6, 4, 2})).find("(is it in centimetres? --scale 0.01; otherwise take"),
+            std::string::npos);
+  const std::string text = message(make_box({1.5, 1, 1})), start = "(take voxels of ";
+  ASSERT_NE(text.find(start), std::string::npos) << text;
+  const double millimetres = std::stod(text.substr(text.find(start) + start.size()));
+  EXPECT_EQ(message(make_box({1.5, 1, 1}), size(1e-3 * millimetres)), "accepted");
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "cases/input/mesh/fingerprint.hpp"
 #include "cases/model/byte_stream.hpp"
 #include "cases/model/input_error.hpp"
+#include "cases/model/mass_properties.hpp"
 #include "tests/cases/input/mesh_files.hpp"
 
 namespace handhold {
@@ -98,6 +99,19 @@ TEST_F(FieldCache, OtherInputIsBuiltAnew) {
   std::ofstream(file_, std::ios::app) << "# one more byte\n";
   EXPECT_FALSE(import().from_cache);
   EXPECT_TRUE(import().from_cache);
+}
+
+// The file stays, its buffer changes: what is kept belongs to both.
+TEST_F(FieldCache, ExternalBuffersBelongToTheKey) {
+  const Mesh box = make_box({0.06, 0.04, 0.02});
+  file_ = folder_.write("box.gltf", files::gltf_json(box, R"({"mesh":0})", 1, R"(,"uri":"box.bin")"));
+  (void)folder_.write("box.bin", files::gltf_buffer(box));
+  const double volume = solid_properties(import().mesh.mesh).volume;
+  EXPECT_TRUE(import().from_cache);
+  (void)folder_.write("box.bin", files::gltf_buffer(make_box({0.03, 0.04, 0.02})));
+  const ImportedObject other = import();
+  EXPECT_FALSE(other.from_cache);
+  EXPECT_NEAR(solid_properties(other.mesh.mesh).volume / volume, 0.5, 1e-6);
 }
 
 TEST_F(FieldCache, DamagedEntriesAreNeverUsed) {

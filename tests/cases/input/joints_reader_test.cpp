@@ -221,7 +221,7 @@ TEST(ReadTrace, RejectsWhatItCannotRead) {
   EXPECT_TRUE(contains(message("a.json", "{\"frames\": [1e999]}"), "beyond 1e308"));
   EXPECT_TRUE(contains(message("a.lz", "BYUw!"), "byte 4: this character is not base64"));
   EXPECT_TRUE(contains(message("a.lz", "BYUwNmD2Q==="), "this is not JSON"));  // "hello"
-  EXPECT_TRUE(contains(message_of([] { return read_trace("/nowhere/a.csv"); }), "cannot be read"));
+  EXPECT_TRUE(contains(message_of([] { return read_trace("/nowhere/a.csv"); }), "no such file"));
   EXPECT_TRUE(contains(message_of([] { return read_trace("/"); }), "is a folder"));
 }
 

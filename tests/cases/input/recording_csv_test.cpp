@@ -174,7 +174,7 @@ TEST_F(RecordingCsv, RefusesFramesThatDoNotFitTheNames) {
 }
 
 TEST_F(RecordingCsv, MissingFolderIsAnError) {
-  expect_input_error([&] { (void)read_recording(folder_); }, {"frames.csv", "cannot be read"});
+  expect_input_error([&] { (void)read_recording(folder_); }, {"frames.csv", "no such file"});
 }
 
 TEST_F(RecordingCsv, OnlyFramesAreRequired) {
