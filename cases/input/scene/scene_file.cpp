@@ -16,7 +16,6 @@
 namespace handhold {
 namespace {
 
-using toml_section::one_line;
 using toml_section::Section;
 
 constexpr std::uintmax_t largest_file = 16u << 20;  // a scene is a few kB; anything larger is another file by mistake
@@ -162,8 +161,8 @@ void check_names(const SceneSpec& spec) {
   for (const BodySpec& body : spec.bodies) {
     const auto [other, is_new] = line_of.emplace(body.name, body.location.of("name"));
     if (is_new) continue;
-    throw InputError(one_line(fmt::format("{}:{}: body '{}': the name is taken in line {} (give every body its own)",
-                                          spec.source, body.location.of("name"), body.name, other->second)));
+    throw InputError(fmt::format("{}:{}: body '{}': the name is taken in line {} (give every body its own)",
+                                 spec.source, body.location.of("name"), body.name, other->second));
   }
 }
 
@@ -206,8 +205,8 @@ SceneSpec parse_scene(std::string_view text, const std::string& source) {
   try {
     table = toml::parse(text, source);
   } catch (const toml::parse_error& error) {
-    throw InputError(one_line(fmt::format("{}:{}: {}: must be TOML (correct the line)", source,
-                                          error.source().begin.line, error.description())));
+    throw InputError(fmt::format("{}:{}: {}: must be TOML (correct the line)", source, error.source().begin.line,
+                                 error.description()));
   }
   return read_spec(Section(table, source, "",
                            {"name", "duration", "gravity", "contact", "body_contact", "patch", "bodies", "hands"}));
@@ -216,10 +215,9 @@ SceneSpec parse_scene(std::string_view text, const std::string& source) {
 SceneSpec read_scene(const std::filesystem::path& path) {
   std::error_code failed;
   const std::uintmax_t size = std::filesystem::file_size(path, failed);
-  if (failed) throw InputError(one_line(fmt::format("{}: {} (give a scene file)", path.string(), failed.message())));
+  if (failed) throw InputError(fmt::format("{}: {} (give a scene file)", path.string(), failed.message()));
   if (size > largest_file) {
-    throw InputError(
-        one_line(fmt::format("{}: {} bytes: a scene is at most 16 MB (give a scene file)", path.string(), size)));
+    throw InputError(fmt::format("{}: {} bytes: a scene is at most 16 MB (give a scene file)", path.string(), size));
   }
   return parse_scene(plain_text(read_regular_file(path)), path.string());
 }

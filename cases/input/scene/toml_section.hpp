@@ -26,14 +26,6 @@ inline constexpr double norm_tolerance = 1e-3;  // of a quaternion typed with fo
 // Nearer to 1 a norm is left alone: normalising would only change the last bit, and to_toml could not round trip.
 inline constexpr double unit_already = 1e-14;
 
-/// Without control characters, since an error is one line.
-inline std::string one_line(std::string text) {
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < ' ' || c == 127) c = ' ';
-  }
-  return text;
-}
-
 inline std::string type_name(const toml::node& node) {
   switch (node.type()) {
     case toml::node_type::table:
@@ -73,7 +65,7 @@ class Section {
   [[noreturn]] void fail(const std::string& key, const std::string& text) const {
     const std::string full = name_.empty() ? key : key.empty() ? name_ : name_ + "." + key;
     const std::string subject = full.empty() ? "" : full + ": ";
-    throw InputError(one_line(fmt::format("{}:{}: {}{}", source_, location_.of(key), subject, text)));
+    throw InputError(fmt::format("{}:{}: {}{}", source_, location_.of(key), subject, text));
   }
 
   /// Runs a check that throws InputError, and adds where the value stands.
@@ -237,8 +229,8 @@ class Section {
     const std::string nearest = nearest_name(key, keys_);
     const std::string advice =
         nearest.empty() ? "take one of " + join_names(keys_) : fmt::format("did you mean '{}'?", nearest);
-    throw InputError(one_line(fmt::format("{}:{}: {}{}'{}': no such key ({})", source_, at_line, name_,
-                                          name_.empty() ? "" : ": ", key, advice)));
+    throw InputError(fmt::format("{}:{}: {}{}'{}': no such key ({})", source_, at_line, name_,
+                                 name_.empty() ? "" : ": ", key, advice));
   }
 
   const toml::table& table_;
