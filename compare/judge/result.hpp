@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cases/catalogue/case.hpp"
+#include "compare/judge/baseline.hpp"
 #include "compare/judge/judgement.hpp"
 #include "compare/measure/timing.hpp"
 #include "compare/study/order_study.hpp"
@@ -66,8 +67,9 @@ struct SuiteResult {
   std::map<std::string, std::string> occasion{};    ///< when, where and how it was run: what they do not hang on
   double seconds{};
   bool interrupted{false};
-  std::optional<Shard> shard{};  ///< what of the suite this is; none: all
-  std::size_t runs{};            ///< of the whole suite
+  std::optional<Shard> shard{};                ///< what of the suite this is; none: all
+  std::size_t runs{};                          ///< of the whole suite
+  std::optional<std::vector<Change>> moved{};  ///< since the baseline; none: compared with none
 };
 
 }  // namespace handhold::compare

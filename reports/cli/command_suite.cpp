@@ -19,6 +19,8 @@
 #include "reports/cli/progress.hpp"
 #include "reports/cli/provenance.hpp"
 #include "reports/cli/terminal.hpp"
+#include "reports/data/baseline_file.hpp"
+#include "reports/data/results_json.hpp"
 #include "reports/data/table.hpp"
 #include "reports/data/text.hpp"
 #include "reports/data/write_report.hpp"
@@ -30,7 +32,7 @@ struct SuiteCommand {
   compare::SuiteOptions suite{};
   std::vector<std::string> engines{}, processes{}, levels{};
   bool no_order{}, no_variants{};
-  std::string shard{};
+  std::string shard{}, baseline{};
   std::string out{"handhold-report"};
 };
 
@@ -61,6 +63,19 @@ Level level_of(const std::string& name) {
   return name == "L1" ? Level::rigid : name == "L2" ? Level::compliant : Level::printed;
 }
 
+/// What differs from the baseline; of a part of the suite only what that part holds.
+std::vector<compare::Change> moved(const compare::Baseline& before, const compare::SuiteResult& result, bool whole) {
+  std::vector<compare::Change> out = compare::changes(before, baseline_of(results_json(result), "this suite"));
+  if (!whole) std::erase_if(out, [](const auto& change) { return change.movement == compare::Movement::gone; });
+  return out;
+}
+
+/// True if what is missing was not asked for.
+bool is_whole(const SuiteCommand& command) {
+  return command.suite.ids.empty() && command.levels.empty() && command.engines.empty() && !command.no_variants &&
+         command.shard.empty() && !command.suite.fail_fast;
+}
+
 compare::SuiteResult run(const SuiteCommand& command) {
   const std::vector<std::unique_ptr<compare::Engine>> owned = engines_of(command);
   std::vector<const compare::Engine*> engines;
@@ -78,14 +93,18 @@ void execute(SuiteCommand command, Invocation& invocation) {
   command.suite.variants = !command.no_variants;
   for (const std::string& name : command.levels) command.suite.levels.push_back(level_of(name));
   if (!command.shard.empty()) command.suite.shard = shard_of(command.shard);
+  const compare::Baseline before =
+      command.baseline.empty() ? compare::Baseline{} : read_baseline(command.baseline).gates;
   command.suite.stop = interrupted;
   command.suite.keep_recordings = true;
   compare::SuiteResult result = run(command);
   result.provenance = provenance(command.suite);
   result.occasion = occasion(invocation.command_line);
+  if (!command.baseline.empty()) result.moved = moved(before, result, is_whole(command) && !result.interrupted);
   const compare::Count n = compare::count(result);
   const bool empty_part = result.shard && result.cases.empty() && !result.interrupted;  // more parts than runs
   invocation.exit_code = compare::passed(result) || empty_part ? exit_good : exit_gate_failed;
+  if (result.moved && !result.moved->empty()) invocation.exit_code = exit_gate_failed;
   const bool judged = n.gates + n.graded > 0 || empty_part;
   if (judged) write_report(result, command.out);  // before its table is printed: a closed pipe loses nothing
   fmt::print("{}", text_table(result, {may_colour(1)}));
@@ -115,6 +134,8 @@ void add_suite(CLI::App& app, Invocation& invocation) {
       ->check(number_in(0, 1024))
       ->capture_default_str();
   command->add_option("--shard", options->shard, "part of the runs to play, e.g. 2/8: the second of eight (see merge)");
+  command->add_option("--baseline", options->baseline,
+                      "say what moved since this baseline was written, and fail if anything did (see baseline)");
   command->add_option("--frame-rate", engine.frame_rate, "frames a second [Hz]")
       ->check(number_in(1, 1e4))
       ->capture_default_str();
@@ -133,7 +154,9 @@ void add_suite(CLI::App& app, Invocation& invocation) {
   command->footer(
       "Examples:\n  handhold suite\n  handhold suite --only C01,D02 --out report\n  handhold suite --level L1 "
       "--engines "
-      "rigid\n  handhold suite --substeps 16 --no-order\n  handhold suite --shard 2/8 --out part-2\n"
+      "rigid\n  handhold suite --substeps 16 --no-order\n  handhold suite --shard 2/8 --out part-2\n  handhold suite "
+      "--baseline "
+      "baseline.json\n"
       "Ctrl-C ends it; the runs judged until then are written, and the report says that it is partial.");
   command->callback([options, &invocation] { execute(*options, invocation); });
 }

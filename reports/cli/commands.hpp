@@ -22,6 +22,7 @@ struct Invocation {
   int exit_code{exit_good};
 };
 
+void add_baseline(CLI::App& app, Invocation& invocation);
 void add_list(CLI::App& app, Invocation& invocation);
 void add_suite(CLI::App& app, Invocation& invocation);
 void add_report(CLI::App& app, Invocation& invocation);

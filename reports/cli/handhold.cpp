@@ -65,6 +65,7 @@ int run(int count, char** arguments) {
   add_export(app, invocation);
   add_judge(app, invocation);
   add_judge_log(app, invocation);
+  add_baseline(app, invocation);
   add_merge(app, invocation);
   add_tables(app, invocation);
   add_trace(app, invocation);

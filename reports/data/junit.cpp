@@ -68,6 +68,22 @@ std::string testsuite(const compare::CaseResult& of_case, Tally& all) {
       escape(of_case.id + " " + of_case.title), tally.tests, tally.failed, tally.skipped, tally.lines);
 }
 
+/// A test for each gate that moved since the baseline, all failed; one that passes where nothing moved.
+std::string baseline_suite(const std::vector<compare::Change>& moved, Tally& all) {
+  Tally tally;
+  for (const compare::Change& change : moved) {
+    const std::string text = escape(compare::sentence(change));
+    add(tally, "handhold.baseline", compare::sentence(change),
+        fmt::format("      <failure type=\"baseline\" message=\"{}\"/>\n", text));
+  }
+  if (moved.empty()) add(tally, "handhold.baseline", "nothing moved", "");
+  all.tests += tally.tests;
+  all.failed += moved.size();
+  return fmt::format(
+      "  <testsuite name=\"baseline\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"0\">\n{}  </testsuite>\n",
+      tally.tests, moved.size(), tally.lines);
+}
+
 /// What makes the whole run no pass although its gates may hold.
 std::string run_error(const compare::SuiteResult& result) {
   return fmt::format(
@@ -85,6 +101,7 @@ std::string junit_xml(const compare::SuiteResult& result) {
   std::string suites;
   Tally all;
   for (const compare::CaseResult& of_case : result.cases) suites += testsuite(of_case, all);
+  if (result.moved) suites += baseline_suite(*result.moved, all);
   if (incomplete) suites += run_error(result);
   return fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"

@@ -147,6 +147,18 @@ Json text_json(const std::map<std::string, std::string>& texts) {
   return out;
 }
 
+Json change_json(const compare::Change& change) {
+  Json out;
+  out["case"] = change.gate.of_case;
+  out["run"] = change.gate.run;
+  out["quantity"] = change.gate.claim;
+  out["engine"] = change.gate.engine;
+  out["order"] = change.gate.order;
+  out["movement"] = compare::to_string(change.movement);
+  out["sentence"] = compare::sentence(change);
+  return out;
+}
+
 Json engine_json(const compare::EngineInfo& engine) {
   Json out;
   out["name"] = engine.name;
@@ -186,6 +198,7 @@ std::string results_json(const compare::SuiteResult& result) {
   out["provenance"] = text_json(result.provenance);
   out["engines"] = list(result.engines, engine_json);
   out["cases"] = list(result.cases, case_json);
+  if (result.moved) out["moved"] = list(*result.moved, change_json);
   return file_text(out);
 }
 

@@ -149,6 +149,15 @@ std::string frame_rows(const compare::SuiteResult& result) {
   return head + "\n" + out;
 }
 
+/// What moved since the baseline, one a line.
+std::string moved(const compare::SuiteResult& result, const TableStyle& style) {
+  if (!result.moved) return "";
+  std::string out;
+  for (const compare::Change& change : *result.moved) out += fmt::format("  {}\n", one_line(compare::sentence(change)));
+  const std::string title = "Against the baseline: " + compare::summary(*result.moved);
+  return "\n" + paint(title, colour_of(out.empty() ? Verdict::pass : Verdict::fail), style) + "\n" + out;
+}
+
 }  // namespace
 
 std::string text_table(const compare::SuiteResult& result, const TableStyle& style) {
@@ -161,6 +170,7 @@ std::string text_table(const compare::SuiteResult& result, const TableStyle& sty
   out += vacuous(gates, style);
   out += frame_rows(result);
   out += failures(gates, style);
+  out += moved(result, style);
   out += fmt::format("\ntotal time {} s\n", number(result.seconds, 3));
   const Verdict v = compare::passed(result) ? Verdict::pass : Verdict::fail;
   out += paint(one_line(compare::verdict_sentence(result)), colour_of(v), style) + "\n";

@@ -70,7 +70,8 @@ TEST_P(Help, ExitsWithZeroAndShowsExamples) {
 INSTANTIATE_TEST_SUITE_P(Every, Help,
                          testing::Values("--help", "list --help", "suite --help", "run --help", "voxelize --help",
                                          "trace --help", "trace info --help", "trace convert --help", "engines --help",
-                                         "export --help", "judge-log --help", "merge --help"));
+                                         "export --help", "judge-log --help", "merge --help", "baseline check --help",
+                                         "baseline update --help"));
 
 class BadInput : public CommandLine, public testing::WithParamInterface<const char*> {};
 
@@ -113,7 +114,30 @@ INSTANTIATE_TEST_SUITE_P(
                     "judge-log missing", "judge-log empty", "judge-log noise.json", "judge-log .",
                     "judge-log noise.json --engine bullet", "suite --only C01 --shard 3/2",
                     "suite --only C01 --shard 0/2", "suite --only C01 --shard 1/2x", "merge", "merge missing",
-                    "merge ."));
+                    "merge .", "baseline", "baseline check", "baseline check missing.json",
+                    "baseline check bad.toml --from missing", "baseline update new.json --from missing",
+                    "suite --only C01 --baseline missing.json", "suite --only C01 --baseline bad.toml"));
+
+TEST_F(CommandLine, TellsWhatMovedSinceTheBaseline) {
+  const std::string suite = "suite --only C01 --engines realtime --no-order --no-variants --out ";
+  ASSERT_EQ(run(suite + "first").exit_code, 0);
+  EXPECT_EQ(run("baseline update b.json --from first --reason short").exit_code, 2);
+  EXPECT_EQ(run("baseline update b.json --from first --reason 'the first of all'").exit_code, 0);
+  EXPECT_EQ(run("baseline check b.json --from first").exit_code, 0);
+  EXPECT_EQ(run(suite + "again --baseline b.json").exit_code, 0);
+
+  const Result finer = run(suite + "finer --substeps 16 --baseline b.json");  // limits are tighter, values move
+  EXPECT_EQ(finer.exit_code, 1) << finer.out;
+  EXPECT_NE(finer.out.find("Against the baseline: gates: "), std::string::npos) << finer.out;
+  EXPECT_NE(read(root / "finer/junit.xml").find("type=\"baseline\""), std::string::npos);
+  const Result check = run("baseline check b.json --from finer");
+  EXPECT_EQ(check.exit_code, 1);
+  EXPECT_NE(check.out.find("tighter"), std::string::npos) << check.out;
+  EXPECT_NE(check.out.find("handhold baseline update b.json --from finer"), std::string::npos) << check.out;
+  EXPECT_EQ(run("baseline update b.json --from finer --reason 'sixteen sub-steps'").exit_code, 0);
+  EXPECT_EQ(run("baseline check b.json --from finer").exit_code, 0);
+  EXPECT_NE(read(root / "b.json").find("sixteen sub-steps (gates: "), std::string::npos);
+}
 
 TEST_F(CommandLine, ListsWhatThereIs) {
   const Result cases = run("list");

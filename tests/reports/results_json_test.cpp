@@ -35,6 +35,16 @@ TEST(ResultsJson, FitsItsSchema) {
   EXPECT_EQ(schema_fault(json::parse(results_json({})), schema(), schema()), "");
 }
 
+TEST(ResultsJson, SaysWhatMovedSinceTheBaseline) {
+  compare::SuiteResult result = sample_result();
+  EXPECT_FALSE(json::parse(results_json(result)).contains("moved"));
+  result.moved = {
+      {{"C01", "slides", "slip onset", "fast"}, compare::Movement::away, {0.2, 0.201, 0.01}, {0.2, 0.202, 0.01}}};
+  const json document = json::parse(results_json(result));
+  EXPECT_EQ(document["moved"][0]["movement"], "away from");
+  EXPECT_EQ(schema_fault(document, schema(), schema()), "");
+}
+
 TEST(ResultsJson, TheSchemaRefusesWhatIsNoResult) {  // a schema that accepts everything would pass the test above
   json result = json::parse(results_json(sample_result()));
   result["cases"][0]["runs"][0]["claims"][0]["judgements"][1].erase("state");
