@@ -52,10 +52,10 @@ struct Change {
 /// The distance of the value from the truth [unit of the claim].
 [[nodiscard]] double distance(const Measured& measured);
 
-/// What differs, by the name of the gate. A value, a truth or a limit has moved when it differs by more than 1e-9 of
-/// the largest of value, truth and limit: another compiler or processor, whose sine differs in its last bit, moves it
-/// by less. An order must also differ by more than its standard error. If `now` has no orders at all, none is missing:
-/// they were not asked for.
+/// What differs, by the name of the gate. A value has moved when it differs by more than 1e-9 of itself or of the truth
+/// and by more than 1e-5 of its limit: another compiler or processor, whose sine differs in its last bit, moves it by
+/// less. Truths and limits have moved beyond 1e-9, an order beyond its standard error. If `now` has no orders at all,
+/// none is missing: they were not asked for.
 [[nodiscard]] std::vector<Change> changes(const Baseline& before, const Baseline& now);
 
 /// "C01/slides, slip time, realtime: 0.310002 -> 0.31002, 10 times as far from the truth 0.31 (0.04 -> 0.4 of the

@@ -45,9 +45,14 @@ TEST(BaselineChanges, TheSignIsThatOfTheDistance) {
   EXPECT_THAT(movements(with(onset, &Measured::value, 0.4998)), ElementsAre(Movement::away));
 }
 
-TEST(BaselineChanges, RoundingIsNone) {
-  EXPECT_THAT(movements(with(onset, &Measured::value, 0.5001 + 4e-10)), IsEmpty());
-  EXPECT_THAT(movements(with(onset, &Measured::value, 0.5001 + 6e-10)), ElementsAre(Movement::away));
+TEST(BaselineChanges, RoundingIsNone) {  // 1e-5 of the limit, 1e-9 of the value
+  EXPECT_THAT(movements(with(onset, &Measured::value, 0.5001 + 0.9e-7)), IsEmpty());
+  EXPECT_THAT(movements(with(onset, &Measured::value, 0.5001 + 1.1e-7)), ElementsAre(Movement::away));
+  Baseline tight = with(onset, &Measured::limit, 1e-6), moved = tight;
+  moved[onset].value += 4e-10;
+  EXPECT_THAT(changes(tight, moved), IsEmpty());
+  moved[onset].value += 4e-10;
+  EXPECT_EQ(changes(tight, moved).size(), 1u);
 }
 
 TEST(BaselineChanges, LimitsAndTruthsAreKnown) {

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "cases/model/input_error.hpp"
+#include "compare/judge/verdict.hpp"
 #include "reports/data/results_json.hpp"
 #include "reports/data/write_report.hpp"
 #include "tests/reports/sample_result.hpp"
@@ -46,9 +47,10 @@ TEST(BaselineFile, IsReadAsItWasWritten) {
 
 TEST(BaselineFile, HasAClaimALine) {  // so that a difference of two versions can be read
   const std::string text = to_json({sample(), {}});
-  EXPECT_NE(text.find("\n  \"slip onset\": {\"truth\":0.2,\"exact\":[0.2000000003,1e-09],\"fast\":[0.2031,0.0028]},\n"),
-            std::string::npos)
-      << text;
+  const std::size_t begin = text.find("\n  \"slip onset\": {\"truth\":0.2,\"exact\":[");
+  ASSERT_NE(begin, std::string::npos) << text;
+  const std::string line = text.substr(begin + 1, text.find('\n', begin + 1) - begin - 1);
+  EXPECT_NE(line.find("\"fast\":[0.2031,0.0028]"), std::string::npos) << line;
 }
 
 TEST(BaselineFile, AnEmptyOneIsOne) { EXPECT_TRUE(through_a_file(to_json({})).gates.empty()); }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -37,9 +38,9 @@ Run leaves_and_lands(const std::string& name, const exact::PalmLift& l) {
   claims.push_back(event_count(EventKind::release, stays ? 1 : 2));
   claims.push_back(mode(0, end, stays ? Mode::stick : Mode::apart));
   claims[2].claim.scale = l.amplitude;
-  for (const double share : {0.4, 0.9}) {
-    const double t = std::floor(90 * share * off) / 90;
-    claims.push_back(force(fmt::format("normal force on frame {:.0f}", 90 * t), 0, z_axis, t,
+  for (const double frame : std::set<double>{std::floor(90 * 0.4 * off), std::floor(90 * 0.9 * off)}) {
+    const double t = frame / 90;
+    claims.push_back(force(fmt::format("normal force on frame {:.0f}", frame), 0, z_axis, t,
                            mass * (g - l.amplitude * w * w * std::sin(w * t)), Through::gap, mass, mass * g));
   }
   return run(

@@ -120,6 +120,8 @@ export interface Results {
   provenance: Record<string, string>;
   engines: RawEngine[];
   cases: RawCase[];
+  /** What differs from the baseline; absent: compared with none. */
+  moved?: { sentence: string }[];
 }
 
 /** What one engine's play of a run cost, and the recording of it that this page carries. */

@@ -67,6 +67,17 @@ function Provenance({ report }: { report: Report }) {
   );
 }
 
+/** What differs from the baseline, folded away: its title says how much. */
+function Moved({ moved }: { moved: { sentence: string }[] }) {
+  if (moved.length === 0) return <p class="again">Nothing moved since the baseline.</p>;
+  return (
+    <details class="more" data-moved={moved.length}>
+      <summary>Moved since the baseline: {count(moved.length, 'gate')}</summary>
+      <ul>{moved.map((change) => <li>{change.sentence}</li>)}</ul>
+    </details>
+  );
+}
+
 export function Verdict({ report }: { report: Report }) {
   const { passed } = report.results.verdict;
   return (
@@ -75,6 +86,7 @@ export function Verdict({ report }: { report: Report }) {
       <h1 id="verdict-title" data-gates={report.gates.length}>{headlineOf(report)}</h1>
       <p class="lead">{detailOf(report)}</p>
       <GateDots report={report} />
+      {report.results.moved && <Moved moved={report.results.moved} />}
       <Provenance report={report} />
     </section>
   );
