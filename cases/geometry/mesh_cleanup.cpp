@@ -79,6 +79,26 @@ std::size_t drop_duplicates(Mesh& mesh) {
   });
 }
 
+std::size_t cancel_opposite(Mesh& mesh) {
+  const auto sorted = [](std::array<int, 3> t) {
+    std::sort(t.begin(), t.end());
+    return t;
+  };
+  const auto sense = [](const std::array<int, 3>& t) {
+    return (t[0] < t[1]) + (t[1] < t[2]) + (t[2] < t[0]) == 2 ? 1 : -1;
+  };
+  std::map<std::array<int, 3>, int> balance;
+  for (const auto& t : mesh.triangles) balance[sorted(t)] += sense(t);
+  const std::size_t dropped = drop_if(mesh, [&](const std::array<int, 3>& t) {
+    int& left = balance[sorted(t)];
+    const bool kept = left * sense(t) > 0;  // the first that faces as most of them do
+    if (kept) left = 0;
+    return !kept;
+  });
+  weld(mesh, 0);
+  return dropped;
+}
+
 HoleFilling fill_triangular_holes(Mesh& mesh) {
   using Edge = std::pair<int, int>;
   std::set<Edge> edges;

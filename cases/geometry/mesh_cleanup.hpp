@@ -17,6 +17,10 @@ std::size_t drop_degenerate(Mesh& mesh);
 /// Drops triangles that have the same corners as an earlier one, in any order; returns how many.
 std::size_t drop_duplicates(Mesh& mesh);
 
+/// As `drop_duplicates`, but as many as face the other way drop each other: of a fin with two sides, or of a wall
+/// between two solids, nothing is left. Then also drops the points that no triangle uses any more.
+std::size_t cancel_opposite(Mesh& mesh);
+
 struct HoleFilling {
   std::size_t filled{};
   std::size_t left{};         ///< holes that could not be filled

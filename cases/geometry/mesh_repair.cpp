@@ -73,14 +73,30 @@ std::size_t count_flipped(const std::vector<Corners>& before, const Mesh& mesh) 
   return flipped;
 }
 
+std::size_t unmatched_edges(const Mesh& mesh) {
+  const MeshTopology topology = mesh_topology(mesh);
+  return topology.open_edges + topology.non_manifold_edges;
+}
+
+// Of two equal faces one stays, or none if they face each other's way: whichever is closed. A solid whose every face is
+// given twice needs the one, a solid with a fin or an inner wall the other.
+std::size_t drop_doubled(Mesh& mesh) {
+  Mesh cancelled = mesh;
+  const std::size_t dropped = drop_duplicates(mesh), more = cancel_opposite(cancelled);
+  if (more == dropped || cancelled.triangles.size() < 4 || unmatched_edges(cancelled) >= unmatched_edges(mesh))
+    return dropped;
+  mesh = std::move(cancelled);
+  return more;
+}
+
 void clean(Mesh& mesh, RepairReport& report) {
   report.points_welded = weld(mesh, 0);
   report.degenerate_faces = drop_degenerate(mesh);
-  report.duplicate_faces = drop_duplicates(mesh);
+  report.duplicate_faces = drop_doubled(mesh);
   if (mesh.triangles.size() >= 4 && mesh_topology(mesh).open_edges > 0) {
     Mesh joined = mesh;
     const std::size_t more = weld(joined, near_points * bounds(mesh).sizes().maxCoeff());
-    const std::size_t degenerate = drop_degenerate(joined), duplicate = drop_duplicates(joined);
+    const std::size_t degenerate = drop_degenerate(joined), duplicate = drop_doubled(joined);
     if (more > 0 && mesh_topology(joined).open_edges == 0) {
       mesh = std::move(joined);
       report.points_welded += more;

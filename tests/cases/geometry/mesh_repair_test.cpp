@@ -120,6 +120,41 @@ TEST_F(Repair, DropsDoubledAndDegenerateFaces) {
   EXPECT_EQ(report.faces_flipped, 0u);
 }
 
+/// A face that stands on an edge of the mug, given from both sides: it opens nothing when it goes.
+TEST_F(Repair, CutsOffAFinOfTwoSides) {
+  const auto first = mug_.triangles[0];
+  const int tip = static_cast<int>(mug_.vertices.size());
+  mug_.vertices.push_back(mug_.vertices[first[0]] + Vector3d(0, 0, 0.5));
+  mug_.triangles.push_back({first[0], first[1], tip});
+  mug_.triangles.push_back({first[1], first[0], tip});
+  const RepairReport report = expect_repaired(mug_, volume_);
+  EXPECT_TRUE(report.closed_as_given);
+  EXPECT_EQ(report.duplicate_faces, 2u);
+}
+
+/// Two boxes that share a wall, each with a wall of its own: one box.
+TEST_F(Repair, AWallBetweenTwoSolidsGoes) {
+  const Mesh box = make_box({0.01, 0.02, 0.03});
+  Mesh mirrored = box;  // at the face x = 5 mm, so that the wall has the same diagonal from both sides
+  for (Vector3d& v : mirrored.vertices) v.x() = 0.01 - v.x();
+  for (auto& t : mirrored.triangles) turn(t);
+  Mesh two = join(box, mirrored, Vector3d::Zero());
+  const RepairReport report = repair(two);
+  EXPECT_EQ(report.components, 1u);
+  EXPECT_EQ(report.intersecting_pairs, 0u);
+  EXPECT_NEAR(solid_properties(two).volume, 2 * solid_properties(box).volume, 1e-18);
+}
+
+/// Every face twice, once from each side: the solid stays.
+TEST_F(Repair, ASolidOfTwoSidesStays) {
+  const auto faces = mug_.triangles;
+  for (auto t : faces) {
+    turn(t);
+    mug_.triangles.push_back(t);
+  }
+  EXPECT_EQ(expect_repaired(mug_, volume_).duplicate_faces, faces.size());
+}
+
 // Missing triangles of a curved, dense surface: what comes back is nearly what was there.
 TEST_F(Repair, FillsSmallHoles) {
   Mesh sphere = make_sphere(0.04, 4);
