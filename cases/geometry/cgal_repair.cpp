@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cases/geometry/cgal_repair.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <string>
@@ -9,6 +10,8 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/border.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
@@ -28,6 +31,7 @@ using Point = Kernel::Point_3;
 using Surface = CGAL::Surface_mesh<Point>;
 
 constexpr std::size_t longest_border = 400;  // filling costs its cube
+constexpr std::size_t most_pieces = 64;      // each is united with all before it
 
 struct Soup {
   std::vector<Point> points;
@@ -164,6 +168,30 @@ std::size_t count_self_intersections(const Mesh& mesh) {
     pmp::self_intersections(surface, std::back_inserter(pairs));
     return pairs.size();
   });
+}
+
+bool unite_pieces(Mesh& mesh) {
+  const Quiet quiet;
+  try {
+    Surface surface = to_surface(mesh);
+    std::vector<Surface> pieces;
+    pmp::split_connected_components(surface, pieces);
+    const auto inward = [](const Surface& piece) { return !pmp::is_outward_oriented(piece); };
+    if (pieces.size() < 2 || pieces.size() > most_pieces || std::any_of(pieces.begin(), pieces.end(), inward))
+      return false;
+    Surface all = std::move(pieces.front());
+    for (std::size_t i = 1; i < pieces.size(); ++i) {
+      Surface both;
+      const auto checked = CGAL::parameters::throw_on_self_intersection(true);
+      if (!pmp::corefine_and_compute_union(all, pieces[i], both, checked)) return false;
+      all = std::move(both);
+    }
+    all.collect_garbage();
+    mesh = from_surface(all);
+    return true;
+  } catch (const std::exception&) {
+    return false;
+  }
 }
 
 }  // namespace handhold

@@ -150,6 +150,28 @@ void compare_volumes(const Mesh& mesh, const RepairReport& report) {
                   report.holes_filled, volume, counted));
 }
 
+// Pieces that pierce each other become one; those that only touch stay as they are, and nothing pierces. Says what was
+// done. What cannot be united is refused if its integral counts a part of it twice.
+std::string unite(Mesh& mesh, RepairReport& report) {
+  if (report.intersecting_pairs == 0 || report.components < 2) return "";
+  const double sum = solid_properties(mesh).volume;
+  Mesh united = mesh;
+  if (!unite_pieces(united)) {
+    const double counted = counted_volume(mesh);
+    if (std::abs(counted / sum - 1) <= accepted_uncertainty) return "";
+    throw InputError(
+        fmt::format("mesh: its {} pieces overlap, they count {:g} m³ together and enclose {:g} m³ (unite them in a "
+                    "mesh editor)",
+                    report.components, sum, counted));
+  }
+  report.intersecting_pairs = 0;
+  const double volume = solid_properties(united).volume;
+  if (std::abs(volume - sum) <= 1e-9 * sum) return "";
+  mesh = std::move(united);
+  report.components = mesh_topology(mesh).components;
+  return fmt::format("overlapping pieces united: {:.6g} cm³, not the {:.6g} cm³ of their sum", 1e6 * volume, 1e6 * sum);
+}
+
 std::string method(const RepairReport& report) {
   std::vector<std::string> steps;
   if (report.points_welded > 0) steps.push_back("points joined");
@@ -213,8 +235,13 @@ RepairReport repair(Mesh& mesh) {
   compare_volumes(mesh, report);
   report.faces_flipped = count_flipped(given, mesh);
   report.oriented_as_given = report.faces_flipped == 0;
+  const std::string united = unite(mesh, report);
   report.method = method(report);
   report.confidence = confidence(report, given.size());
+  if (!united.empty()) {
+    report.method = report.method == "as given" ? "pieces united" : report.method + ", pieces united";
+    report.confidence += "; " + united;
+  }
   return report;
 }
 

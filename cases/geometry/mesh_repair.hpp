@@ -25,10 +25,13 @@ struct RepairReport {
 };
 
 /// Makes a closed, outward-oriented surface of `mesh`: joins equal points, drops degenerate and duplicate faces, makes
-/// neighbours agree, turns pieces outward (inner ones inward: cavities), fills small holes.
+/// neighbours agree, turns pieces outward (inner ones inward: cavities), fills small holes, unites pieces that overlap.
+/// Of two faces with the same corners that face each other's way none stays if that closes the surface: a fin of two
+/// sides, a wall between two solids.
 ///
 /// Filled holes are accepted if their bulge could change the volume by less than 2 %, and if then the volume agrees
-/// with a voxel count of the filled mesh within 2 %. Throws InputError if the surface cannot be closed, saying why.
+/// with a voxel count of the filled mesh within 2 %. Throws InputError if the surface cannot be closed, or if its pieces
+/// overlap by more than that and cannot be united, saying why.
 RepairReport repair(Mesh& mesh);
 
 }  // namespace handhold

@@ -232,12 +232,30 @@ TEST_F(Repair, KeepsCavities) {
   EXPECT_EQ(expect_repaired(join(outer, inner, Vector3d::Zero()), hollow).faces_flipped, 0u);
 }
 
-TEST_F(Repair, ReportsOverlaps) {
+TEST_F(Repair, UnitesPiecesThatOverlap) {
   const Mesh box = make_box({0.06, 0.06, 0.06});
-  const RepairReport report = expect_repaired(join(box, box, {0.031, 0.017, 0.023}), 2 * std::pow(0.06, 3));
-  EXPECT_GT(report.intersecting_pairs, 0u);
-  EXPECT_EQ(report.components, 2u);
-  EXPECT_NE(report.confidence.find("pierce each other"), std::string::npos);
+  const double overlap = 0.029 * 0.043 * 0.037;
+  const RepairReport report =
+      expect_repaired(join(box, box, {0.031, 0.017, 0.023}), 2 * std::pow(0.06, 3) - overlap, 1e-12);
+  EXPECT_EQ(report.intersecting_pairs, 0u);
+  EXPECT_EQ(report.components, 1u);
+  EXPECT_EQ(report.method, "pieces united");
+  EXPECT_NE(report.confidence.find("overlapping pieces united"), std::string::npos) << report.confidence;
+}
+
+TEST_F(Repair, PiecesThatTouchInAPointDoNotPierce) {
+  const Mesh box = make_box({0.06, 0.06, 0.06});
+  const RepairReport report = expect_repaired(join(box, box, {0.06, 0.06, 0.06}), 2 * std::pow(0.06, 3));
+  EXPECT_EQ(report.intersecting_pairs, 0u);
+}
+
+/// One of two that overlap is inside out: their sum is no volume of anything, and which of them is wrong nobody knows.
+TEST_F(Repair, RefusesOverlapsThatItCannotUnite) {
+  const Mesh box = make_box({0.06, 0.06, 0.06});
+  Mesh inside_out = make_box({0.05, 0.05, 0.05});
+  for (auto& t : inside_out.triangles) turn(t);
+  const std::string text = refusal(join(box, inside_out, {0.031, 0.017, 0.023}));
+  EXPECT_NE(text.find("its 2 pieces overlap"), std::string::npos) << text;
 }
 
 TEST_F(Repair, AcceptsSolidsThatTouchAlongAnEdge) {
