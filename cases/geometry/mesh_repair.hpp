@@ -30,8 +30,8 @@ struct RepairReport {
 /// sides, a wall between two solids.
 ///
 /// Filled holes are accepted if their bulge could change the volume by less than 2 %, and if then the volume agrees
-/// with a voxel count of the filled mesh within 2 %. Throws InputError if the surface cannot be closed, or if its pieces
-/// overlap by more than that and cannot be united, saying why.
+/// with a voxel count of the filled mesh within 2 %. Throws InputError if the surface cannot be closed, or if its
+/// pieces overlap by more than that and cannot be united, saying why.
 RepairReport repair(Mesh& mesh);
 
 }  // namespace handhold
