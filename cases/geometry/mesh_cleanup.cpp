@@ -45,6 +45,16 @@ std::vector<int> leaders(const std::vector<Vector3d>& points, double tolerance) 
   return leader;
 }
 
+std::vector<int> border_points(const Mesh& mesh) {
+  std::map<std::pair<int, int>, int> faces;
+  for (const auto& t : mesh.triangles)
+    for (int i = 0; i < 3; ++i) ++faces[std::minmax(t[i], t[(i + 1) % 3])];
+  std::set<int> points;
+  for (const auto& [edge, count] : faces)
+    if (count == 1) points.insert({edge.first, edge.second});
+  return {points.begin(), points.end()};
+}
+
 }  // namespace
 
 std::size_t weld(Mesh& mesh, double tolerance) {
@@ -65,6 +75,15 @@ std::size_t weld(Mesh& mesh, double tolerance) {
   }
   mesh.vertices = std::move(kept);
   return joined;
+}
+
+std::size_t weld_borders(Mesh& mesh, double tolerance) {
+  const std::vector<int> border = border_points(mesh);
+  std::vector<Vector3d> points;
+  for (const int v : border) points.push_back(mesh.vertices[v]);
+  const std::vector<int> leader = leaders(points, tolerance);
+  for (std::size_t i = 0; i < border.size(); ++i) mesh.vertices[border[i]] = points[leader[i]];
+  return weld(mesh, 0);
 }
 
 std::size_t drop_degenerate(Mesh& mesh) {

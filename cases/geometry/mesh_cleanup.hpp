@@ -11,6 +11,10 @@ namespace handhold {
 /// how many points were joined to another. The order of the triangles stays.
 std::size_t weld(Mesh& mesh, double tolerance);
 
+/// Joins points on the borders of the surface, at edges of one face, that are nearer than `tolerance` [m] to each
+/// other: closes cracks and changes nothing else. Returns how many points were joined to another.
+std::size_t weld_borders(Mesh& mesh, double tolerance);
+
 /// Drops triangles with two equal corners; returns how many.
 std::size_t drop_degenerate(Mesh& mesh);
 

@@ -120,6 +120,25 @@ TEST_F(Repair, DropsDoubledAndDegenerateFaces) {
   EXPECT_EQ(report.faces_flipped, 0u);
 }
 
+/// 20 µm wide, all along one face of a box that is given with points of its own.
+TEST_F(Repair, ClosesAHairlineCrack) {
+  const Mesh box = make_box({0.06, 0.04, 0.1});
+  Mesh cracked = box;
+  const double top = 0.05;
+  for (auto& t : cracked.triangles) {
+    const auto high = [&](int v) { return box.vertices[v].z() > 0.99 * top; };
+    if (!high(t[0]) || !high(t[1]) || !high(t[2])) continue;
+    for (int& v : t) {
+      cracked.vertices.push_back(box.vertices[v] + Vector3d(0, 0, 20e-6));
+      v = static_cast<int>(cracked.vertices.size()) - 1;
+    }
+  }
+  const RepairReport report = expect_repaired(cracked, solid_properties(box).volume, 20e-6 / 0.1);
+  EXPECT_EQ(report.method, "points joined");
+  EXPECT_NE(report.confidence.find("a crack was closed, its points lay up to 0.05 mm apart"), std::string::npos)
+      << report.confidence;
+}
+
 /// A face that stands on an edge of the mug, given from both sides: it opens nothing when it goes.
 TEST_F(Repair, CutsOffAFinOfTwoSides) {
   const auto first = mug_.triangles[0];
