@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cases/geometry/cgal_repair.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <string>
@@ -176,14 +175,13 @@ bool unite_pieces(Mesh& mesh) {
     Surface surface = to_surface(mesh);
     std::vector<Surface> pieces;
     pmp::split_connected_components(surface, pieces);
-    const auto inward = [](const Surface& piece) { return !pmp::is_outward_oriented(piece); };
-    if (pieces.size() < 2 || pieces.size() > most_pieces || std::any_of(pieces.begin(), pieces.end(), inward))
-      return false;
+    if (pieces.size() < 2 || pieces.size() > most_pieces) return false;
+    for (const Surface& piece : pieces)
+      if (!pmp::is_outward_oriented(piece) || pmp::does_self_intersect(piece)) return false;
     Surface all = std::move(pieces.front());
     for (std::size_t i = 1; i < pieces.size(); ++i) {
       Surface both;
-      const auto checked = CGAL::parameters::throw_on_self_intersection(true);
-      if (!pmp::corefine_and_compute_union(all, pieces[i], both, checked)) return false;
+      if (!pmp::corefine_and_compute_union(all, pieces[i], both)) return false;
       all = std::move(both);
     }
     all.collect_garbage();

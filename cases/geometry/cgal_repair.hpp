@@ -27,7 +27,7 @@ void orient_outward(Mesh& mesh);
 [[nodiscard]] std::size_t count_self_intersections(const Mesh& mesh);
 
 /// Replaces closed pieces that overlap by the surface of their union. False, and the mesh is left alone, if there are
-/// fewer than two pieces or more than 64, if one faces inward, or if CGAL finds that one pierces itself.
+/// fewer than two pieces or more than 64, if one faces inward or pierces itself, or if their union is no manifold.
 [[nodiscard]] bool unite_pieces(Mesh& mesh);
 
 }  // namespace handhold

@@ -205,7 +205,7 @@ std::string confidence(const RepairReport& report, std::size_t given_faces) {
     text = fmt::format("{:.2g} % of faces flipped: certain",
                        100 * static_cast<double>(report.faces_flipped) / static_cast<double>(given_faces));
   } else {
-    text = "closed and consistent as given";
+    text = report.closed_as_given ? "closed and consistent as given" : "consistent as given";
   }
   if (report.intersecting_pairs > 0) {
     text += fmt::format("; but {} pairs of faces pierce each other: volume and inertia may count overlaps twice",
@@ -221,7 +221,7 @@ RepairReport repair(Mesh& mesh) {
   const double crack = clean(mesh, report);
   const std::vector<Corners> given = corners(mesh);
   MeshTopology topology = mesh_topology(mesh);
-  report.closed_as_given = topology.open_edges == 0;
+  report.closed_as_given = topology.open_edges == 0 && crack == 0;
 
   // Solids that touch along an edge are closed and oriented, but no manifold: splitting them would tear them open.
   const bool touching = topology.closed_and_oriented() && topology.non_manifold_edges > 0;

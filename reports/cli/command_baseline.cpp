@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -39,6 +40,13 @@ void check(const BaselineCommand& command, Invocation& invocation) {
   invocation.exit_code = exit_gate_failed;
 }
 
+/// A report without studies of the order says nothing about them: what is known of them stays.
+void keep_orders(const compare::Baseline& known, compare::Baseline& now) {
+  if (std::any_of(now.begin(), now.end(), [](const auto& gate) { return gate.first.order; })) return;
+  for (const auto& [name, measured] : known)
+    if (name.order) now.emplace(name, measured);
+}
+
 void update(const BaselineCommand& command) {
   if (one_line(command.reason).size() < 10)
     throw InputError(fmt::format("--reason '{}': must say why the figures move (a sentence)", command.reason));
@@ -47,6 +55,7 @@ void update(const BaselineCommand& command) {
   compare::Baseline now = gates_of_report(command.from);
   const std::string summary = compare::summary(compare::changes(file.gates, now));
   if (summary == compare::summary({})) return say(fmt::format("{}: nothing moved, left as it is\n", command.file));
+  keep_orders(file.gates, now);
   file.gates = std::move(now);
   file.reasons.push_back(fmt::format("{} ({})", one_line(command.reason), summary));
   write_file(command.file, to_json(file));

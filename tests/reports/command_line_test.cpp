@@ -139,6 +139,16 @@ TEST_F(CommandLine, TellsWhatMovedSinceTheBaseline) {
   EXPECT_NE(read(root / "b.json").find("sixteen sub-steps (gates: "), std::string::npos);
 }
 
+TEST_F(CommandLine, ABaselineKeepsTheOrdersThatAReportDoesNotHold) {
+  const std::string suite = "suite --only A01 --engines realtime --no-variants --out ";
+  ASSERT_EQ(run(suite + "with").exit_code, 0);
+  ASSERT_EQ(run(suite + "without --no-order --substeps 8").exit_code, 0);
+  ASSERT_EQ(run("baseline update b.json --from with --reason 'with its studies'").exit_code, 0);
+  ASSERT_NE(read(root / "b.json").find("realtime order"), std::string::npos);
+  ASSERT_EQ(run("baseline update b.json --from without --reason 'eight sub-steps'").exit_code, 0);
+  EXPECT_NE(read(root / "b.json").find("realtime order"), std::string::npos);
+}
+
 TEST_F(CommandLine, ListsWhatThereIs) {
   const Result cases = run("list");
   EXPECT_EQ(cases.exit_code, 0);

@@ -135,6 +135,7 @@ TEST_F(Repair, ClosesAHairlineCrack) {
   }
   const RepairReport report = expect_repaired(cracked, solid_properties(box).volume, 20e-6 / 0.1);
   EXPECT_EQ(report.method, "points joined");
+  EXPECT_FALSE(report.closed_as_given);
   EXPECT_NE(report.confidence.find("a crack was closed, its points lay up to 0.05 mm apart"), std::string::npos)
       << report.confidence;
 }
@@ -266,6 +267,19 @@ TEST_F(Repair, PiecesThatTouchInAPointDoNotPierce) {
   const Mesh box = make_box({0.06, 0.06, 0.06});
   const RepairReport report = expect_repaired(join(box, box, {0.06, 0.06, 0.06}), 2 * std::pow(0.06, 3));
   EXPECT_EQ(report.intersecting_pairs, 0u);
+}
+
+/// Far from a piece that pierces itself: that nothing is counted twice between them does not clear it.
+TEST_F(Repair, APieceThatPiercesItselfIsNotClearedByAnother) {
+  Mesh cone;  // whose tip was drawn out through its base
+  cone.vertices = {{-0.03, -0.03, 0}, {0.03, -0.03, 0}, {0.03, 0.03, 0},
+                   {-0.03, 0.03, 0},  {0, 0, 0.01},     {0.1, 0, -0.03}};
+  cone.triangles = {{0, 2, 1}, {0, 3, 2}, {0, 1, 4}, {1, 2, 5}, {1, 5, 4}, {5, 2, 4}, {2, 3, 4}, {3, 0, 4}};
+  Mesh two = join(cone, make_box({0.06, 0.06, 0.06}), {0, 0, 0.5});
+  const RepairReport report = repair(two);
+  EXPECT_EQ(report.components, 2u);
+  EXPECT_GT(report.intersecting_pairs, 0u);
+  EXPECT_NE(report.confidence.find("pierce each other"), std::string::npos) << report.confidence;
 }
 
 /// One of two that overlap is inside out: their sum is no volume of anything, and which of them is wrong nobody knows.
